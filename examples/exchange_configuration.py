@@ -97,7 +97,7 @@ class ExchangeConfiguration:
 def client(name, action):
     found = actionlib.ActionClient(name, action)
     if not found.wait_for_server(rospy.Duration(LINK_TIMEOUT)):
-        raise Failed(f"nobody serves {name}: is the command node running?")
+        raise Failed(f"no action server {name}: is the command node running?")
     return found
 
 
@@ -162,7 +162,7 @@ def main():
     parser.add_argument("--life-sign-time-out", type=int, default=300, help="[ms], 10 to 65535 (default: %(default)s)")
     options = parser.parse_args(rospy.myargv()[1:])
     rospy.init_node("exchange_configuration_example", anonymous=True)
-    signal.signal(signal.SIGTERM, lambda *_: rospy.signal_shutdown("told to end"))
+    signal.signal(signal.SIGTERM, lambda *_: rospy.signal_shutdown("end requested"))
     try:
         run(options)
     except (Failed, rospy.ROSException) as why:

@@ -39,7 +39,7 @@ class Failed(Exception):
 def client(name, kind):
     found = actionlib.ActionClient(name, kind)
     if not found.wait_for_server(rospy.Duration(LINK_TIMEOUT)):
-        raise Failed(f"nobody serves {name}: is the command node running?")
+        raise Failed(f"no action server {name}: is the command node running?")
     return found
 
 
@@ -64,7 +64,7 @@ def wait(handle, seconds):
     deadline = rospy.Time.now() + rospy.Duration(seconds)
     while handle.get_comm_state() != CommState.DONE and rospy.Time.now() < deadline:
         if rospy.is_shutdown():
-            raise Failed("told to end")
+            raise Failed("end requested")
         rospy.sleep(0.01)
     return handle.get_comm_state() == CommState.DONE
 
@@ -72,7 +72,7 @@ def wait(handle, seconds):
 def expect_done(handle, what):
     if not wait(handle, LONGEST):
         handle.cancel()
-        raise Failed(f"{what} has no end: it was cancelled")
+        raise Failed(f"{what} did not end in time: it was cancelled")
     result = handle.get_result()
     if handle.get_terminal_state() != GoalStatus.SUCCEEDED:
         raise Failed(f"{what}: error 16#{result.error_id:X}: {result.error_description}. {result.remedy}")
@@ -110,10 +110,10 @@ def demonstrate(options):
     expect_done(turn(moves, 0, AWAY, options.speed), "away")
     back = ReturnToPrimaryGoal(return_mode=ReturnToPrimaryGoal.INTERRUPT_POSITION, trajectory_mode=ReturnToPrimaryGoal.PTP,
                                speed=options.speed)
-    expect_done(ways_back.send_goal(back), "the way back")
+    expect_done(ways_back.send_goal(back), "the return")
     ask("continue")
-    expect_done(motion, "the motion that was interrupted")
-    expect_done(turn(moves, -options.degrees, 0, options.speed), "back to the beginning")
+    expect_done(motion, "the interrupted motion")
+    expect_done(turn(moves, -options.degrees, 0, options.speed), "back to the start")
 
 
 def run(options):
@@ -132,7 +132,7 @@ def main():
     parser.add_argument("--speed", type=int, default=5, help="[%%] of the rated speeds (default: %(default)s)")
     options = parser.parse_args(rospy.myargv()[1:])
     rospy.init_node("interrupt_example", anonymous=True)
-    signal.signal(signal.SIGTERM, lambda *_: rospy.signal_shutdown("told to end"))
+    signal.signal(signal.SIGTERM, lambda *_: rospy.signal_shutdown("end requested"))
     try:
         run(options)
     except (Failed, rospy.ROSException, rospy.ServiceException) as why:

@@ -30,7 +30,7 @@ class Failed(Exception):
 def client(name, kind):
     found = actionlib.ActionClient(name, kind)
     if not found.wait_for_server(rospy.Duration(LINK_TIMEOUT)):
-        raise Failed(f"nobody serves {name}: is the command node running?")
+        raise Failed(f"no action server {name}: is the command node running?")
     return found
 
 
@@ -73,7 +73,7 @@ def jog(options):
     result = handle.get_result()
     if handle.get_comm_state() != CommState.DONE or result is None:
         handle.cancel()
-        raise Failed("the jog has no end: it was cancelled")
+        raise Failed("the jog did not end in time: it was cancelled")
     if handle.get_terminal_state() != GoalStatus.SUCCEEDED:
         raise Failed(f"error 16#{result.error_id:X}: {result.error_description}. {result.remedy}")
     print(f"{result.way:.2f} mm, {result.turn:.2f} deg: {result.why}", flush=True)
@@ -102,7 +102,7 @@ def main():
     parser.add_argument("--tool", type=int, default=JogGoal.ACTIVE)
     options = parser.parse_args(rospy.myargv()[1:])
     rospy.init_node("jog_example", anonymous=True)
-    signal.signal(signal.SIGTERM, lambda *_: rospy.signal_shutdown("told to end"))
+    signal.signal(signal.SIGTERM, lambda *_: rospy.signal_shutdown("end requested"))
     try:
         run(options)
     except (Failed, rospy.ROSException) as why:

@@ -235,7 +235,7 @@ int portOf(const char* text) {
   char* end = nullptr;
   const long port = std::strtol(text, &end, 10);
   if (end != text && *end == '\0' && port >= 1 && port <= 65535) return static_cast<int>(port);
-  throw std::runtime_error(std::string("'") + text + "' is no port: 1 to 65535 is allowed");
+  throw std::runtime_error(std::string("'") + text + "' is not a port: 1 to 65535 is allowed");
 }
 
 Controller controllerOf(int argc, char** argv) {

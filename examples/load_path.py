@@ -81,7 +81,7 @@ class Paths:
 
     def open_link(self):
         if is_ready():
-            print("A link is there: it is used, and stays")
+            print("A link exists: it is used and kept")
             return
         print("Connect")
         self.link = self.connect.send_goal(ConnectGoal(timeout=20))
@@ -117,7 +117,7 @@ class Paths:
             result = self.expect(goal)
             print(f"  {name}: SUCCEEDED after {result.actual_duration.to_sec():.3f} s; planned"
                   f" {result.planned_duration.to_sec():.3f} s; blends lost: {words(result.blends_lost)}")
-        print(f"  both were sent as {self.pvts.told(2)}: up to the first point, which is a stop, and all behind it")
+        print(f"  both were sent as {self.pvts.told(2)}: up to the first point, which is a stop, and all after it")
 
     def send(self, name, goal, quiet=False):
         """Sends a goal and waits until it is accepted, so that it can be cancelled."""
@@ -237,7 +237,7 @@ def wait_until(condition, what):
     deadline = time.monotonic() + TIMEOUT
     while not condition():
         if time.monotonic() > deadline:
-            raise Failed(f"{what} did not come")
+            raise Failed(f"{what} was not received in time")
         time.sleep(0.01)
 
 

@@ -19,10 +19,10 @@ from cobot_command.msg import CellRobot, CellState, CellZone, RunCellAction, Run
 PATIENCE = 60.0  # [s]
 SOON = 3.0  # [s]
 LOOK_EVERY = 0.05  # [s]
-NOT_BEGUN = "it was told to end before it had begun"
+NOT_BEGUN = "the end was requested before the start"
 END_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
-REASONS = {CellRobot.ZONE_HELD: "{} has the zone", CellRobot.WOULD_BLOCK: "behind it {} could not come home any more",
-           CellRobot.AGED: "{} has waited for longer", CellRobot.QUARANTINED: "{} is lost, or stands in the zone unasked",
+REASONS = {CellRobot.ZONE_HELD: "{} has the zone", CellRobot.WOULD_BLOCK: "after it {} could not return home",
+           CellRobot.AGED: "{} has waited for longer", CellRobot.QUARANTINED: "{} is lost, or is in the zone without a permit",
            CellRobot.HOLDING: "nothing is granted now", CellRobot.SCHEDULED: "it is the turn of {}"}
 
 
@@ -50,7 +50,7 @@ class Teller:
             self.robots[robot.name] = words
         for failure in feedback.failures:
             if failure not in self.failures:
-                self.say(f"failed: {failure}" + ("; the others go on to their end, Ctrl-C stops them" if feedback.open else ""))
+                self.say(f"failed: {failure}" + ("; the others continue, Ctrl-C stops them" if feedback.open else ""))
         self.failures.update(feedback.failures)
 
     def say(self, text):
@@ -94,9 +94,9 @@ def run(arguments):
     end_asked = EndAsked()
     client = actionlib.ActionClient(f"{arguments.cell}/run_cell", RunCellAction)
     if not client.wait_for_server(rospy.Duration(1)):
-        print(f"waits for {arguments.cell}/run_cell", flush=True)
+        print(f"waiting for {arguments.cell}/run_cell", flush=True)
     if not wait_until(lambda: client.wait_for_server(rospy.Duration(0.01)), end_asked, PATIENCE):
-        return NOT_BEGUN if end_asked else f"nobody serves {arguments.cell}/run_cell: start cell.launch first"
+        return NOT_BEGUN if end_asked else f"no action server {arguments.cell}/run_cell: start cell.launch first"
     if not wait_until_it_has_begun(arguments.cell, end_asked):
         return NOT_BEGUN if end_asked else f"the cell was not READY within {PATIENCE:.0f} s: see rostopic echo -n 1 {arguments.cell}/state"
     teller = Teller()
@@ -113,7 +113,7 @@ def wait_until_it_has_begun(cell, end_asked):
     states = []
     subscriber = rospy.Subscriber(f"{cell}/state", CellState, states.append, queue_size=1)
     if not wait_until(lambda: states and states[-1].mode != CellState.STARTING, end_asked, SOON):
-        print(f"the cell starts: {states[-1].diagnosis}" if states else f"nobody tells {cell}/state", flush=True)
+        print(f"the cell starts: {states[-1].diagnosis}" if states else f"no state is received on {cell}/state", flush=True)
     begun = wait_until(lambda: states and states[-1].mode != CellState.STARTING, end_asked, PATIENCE)
     if begun:
         wait_until(lambda: states[-1].mode != CellState.RECOVERY, end_asked, SOON)
@@ -126,15 +126,15 @@ def verdict(handle, distance):
     result = handle.get_result()
     if handle.get_terminal_state() != GoalStatus.SUCCEEDED:
         return f"16#{result.error_id:X} {result.error_description}. {result.remedy}" if result else \
-            "the goal was lost, as the supervisor has ended: the robots end their own goals; see its log, and start it anew"
+            "the goal was lost because the supervisor has ended: the robots complete their own goals; see its log, and restart it"
     cycles = ", ".join(f"{name} {count}" for name, count in zip(result.robots, result.cycles_done))
     print(f"cycles: {cycles}; {result.makespan.to_sec():.1f} s")
     if result.least_distance < 0:
-        print("no monitor was heard all the time: distances were not measured")
+        print("the monitor did not publish all the time: distances were not measured")
         return ""
     print(f"least distance: {result.least_distance * 1e3:.1f} mm")
     if result.least_distance < distance / 1e3:
-        return f"two robots came as close as {result.least_distance * 1e3:.1f} mm: {distance:g} mm were to be kept"
+        return f"two robots came as close as {result.least_distance * 1e3:.1f} mm: at least {distance:g} mm are required"
     return ""
 
 

@@ -187,8 +187,8 @@ class Link {
   Link() {
     client_.waitForServer();
     is_others_ = isReady();
-    std::puts(is_others_ ? "A link is there: it is used, and stays"
-                         : "Connect: the goal stays active as long as the link lives");
+    std::puts(is_others_ ? "A link exists: it is used and kept"
+                         : "Connect: the goal stays active as long as the link exists");
     if (!is_others_) open();
   }
   Link(const Link&) = delete;
@@ -223,7 +223,7 @@ void show(const Transformation& tool) {
 }
 
 void checkBeforeMoving() {
-  std::puts("Check a sequence that begins at home: nothing is sent");
+  std::puts("Check a sequence that starts at home: nothing is sent");
   CheckSequenceGoal goal;
   goal.start_joints = {0, 0, 90, 0, 90, 0};
   goal.steps = {step(up()), step(aside())};

@@ -49,7 +49,7 @@ class Tour:
     def run(self):
         self.connect()
 
-        print("Check a sequence that begins at home: nothing is sent")
+        print("Check a sequence that starts at home: nothing is sent")
         checked = self.do("check_sequence", msg.CheckSequenceGoal(
             start_joints=[0, 0, 90, 0, 90, 0],
             steps=[msg.SequenceStep(kind=msg.SequenceStep.MOVE_RELATIVE, move_relative=UP),
@@ -91,10 +91,10 @@ class Tour:
     def connect(self):
         self.client("connect", msg.ConnectAction)
         if is_ready():
-            print("A link is there: it is used, and stays")
+            print("A link exists: it is used and kept")
             self.uses_others_link = True
             return
-        print("Connect: the goal stays active as long as the link lives")
+        print("Connect: the goal stays active as long as the link exists")
         self.link = self.start("connect", msg.ConnectGoal(timeout=20))
         while self.link.get_goal_status() == GoalStatus.ACTIVE:
             if is_ready():
@@ -149,7 +149,7 @@ def wait_until(condition, what, timeout=TIMEOUT):
     deadline = rospy.Time.now() + rospy.Duration(timeout)
     while not condition():
         if rospy.Time.now() > deadline:
-            raise Failed(f"{what} did not come")
+            raise Failed(f"{what} was not received in time")
         rospy.sleep(0.01)
 
 

@@ -25,7 +25,7 @@ def ask(artifact, what):
     """Finds tm_cell in the devel or install space, as roslaunch finds nodes."""
     programs = roslib.packages.find_node("cobot_command", "tm_cell")
     if not programs:
-        sys.exit("cell_movers.py: tm_cell is not there: build the package")
+        sys.exit("cell_movers.py: tm_cell is missing: build the package")
     answer = subprocess.run([programs[0], "ask", artifact, what], stdout=subprocess.PIPE, text=True, check=False)
     if answer.returncode != 0:
         sys.exit(f"cell_movers.py: {programs[0]} ask {artifact} {what} ended with {answer.returncode}")

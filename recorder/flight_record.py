@@ -19,8 +19,8 @@ from flight import topics  # noqa: E402  its folder has to be known first
 
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("file", type=pathlib.Path, help="the bag; what is there is replaced")
-    parser.add_argument("--status-frames", action="store_true", help="the frames of the status port as well: 67 in a second")
+    parser.add_argument("file", type=pathlib.Path, help="bag to write; an existing file is replaced")
+    parser.add_argument("--status-frames", action="store_true", help="record the frames of the status port as well: 67 per second")
     return parser.parse_args(rospy.myargv()[1:])
 
 

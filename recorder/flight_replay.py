@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Replays a recorded run, and prints what is otherwise: each frame is read once more by the decoder, and what was sent is sent to a
-fresh simulator. No robot and no ROS master is needed; doc/flight-recorder.md says what is compared.
+"""Replays a recorded run, and prints the differences: each frame is decoded again, and what was sent is sent to a new simulator.
+No robot and no ROS master is needed; doc/flight-recorder.md says what is compared.
 
 Exit status: 0 when all is the same, 1 when something differs, 2 when the bag cannot be used."""
 import argparse

@@ -14,9 +14,9 @@ import yaml
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("count", type=int, help="how many robots")
-    parser.add_argument("--spacing", type=float, default=2.0, help="between the bases on their grid [m]")
-    parser.add_argument("--columns", type=int, help="of the grid; default: as many as there are rows, or one more")
+    parser.add_argument("count", type=int, help="number of robots")
+    parser.add_argument("--spacing", type=float, default=2.0, help="distance between the bases on their grid [m]")
+    parser.add_argument("--columns", type=int, help="columns of the grid; default: as many as there are rows, or one more")
     arguments = parser.parse_args(rospy.myargv()[1:])
     folder = os.path.join(rospkg.RosPack().get_path("cobot_command"), "rviz")
     with open(os.path.join(folder, "cobot.rviz"), encoding="utf-8") as file:

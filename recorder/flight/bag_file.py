@@ -32,13 +32,13 @@ class BagFile:
             with damage_told(self.path):
                 self.bag = rosbag.Bag(str(self.path))
         except rosbag.ROSBagUnindexedException:
-            raise RunError(f"{self.path} was not closed, so its end may be missing; `rosbag reindex {self.path}` mends what is there") from None
+            raise RunError(f"{self.path} was not closed, so its end may be missing; `rosbag reindex {self.path}` repairs it") from None
 
     def __enter__(self):
         try:
             with damage_told(self.path):
                 if not self.bag.get_message_count():
-                    raise RunError(f"{self.path} holds no messages; record while the command node runs")
+                    raise RunError(f"{self.path} has no messages; record while the command node runs")
                 self.began, self.ended = self.bag.get_start_time(), self.bag.get_end_time()
                 self.types = {topic: kind.msg_type for topic, kind in self.bag.get_type_and_topic_info().topics.items()}
             if not 0 <= self.ended - self.began <= LONGEST:
@@ -67,8 +67,8 @@ class BagFile:
     def check_definition(self, topic, message, recorded):
         """The bag itself says what its messages consist of, and the sum by which sender and recorder had agreed on it."""
         if message._md5sum != recorded:
-            raise RunError(f"{self.path} is damaged: the definition of {message._type}, which {topic} is of, has the sum {message._md5sum},"
-                           f" and it was recorded with {recorded or 'none'}; use another copy of it")
+            raise RunError(f"{self.path} is damaged: the definition of {message._type} of {topic} has the checksum {message._md5sum},"
+                           f" but {recorded or 'none'} was recorded; use another copy of it")
 
 
 @contextlib.contextmanager
@@ -79,9 +79,9 @@ def damage_told(path):
     except (RunError, rosbag.ROSBagUnindexedException):
         raise
     except Exception as error:  # pylint: disable=broad-except
-        why = " ".join(str(error).split()) or "no more is known"
+        why = " ".join(str(error).split()) or "no details"
         raise RunError(f"{path} cannot be read as a bag, or is damaged ({type(error).__name__}: {why[:300]}); use another copy of it, or record"
-                       " anew with flight_record.py") from None
+                       " again with flight_record.py") from None
 
 
 @contextlib.contextmanager

@@ -164,7 +164,7 @@ class Reader:
     def finish(self):
         """The run; without joint states there is nothing to be shown of the robot."""
         if not self.joints:
-            raise RunError(f"{self.run.file} has no {topics.JOINTS}: the status stream was not there (status_port 0, or the Ethernet Slave of"
+            raise RunError(f"{self.run.file} has no {topics.JOINTS}: the status stream was missing (status_port 0, or the Ethernet Slave of"
                            " the controller is off), or the topic was not recorded. Record with flight_record.py while status_stream"
                            " of command_status is true")
         self.run.joints = self.joint_track()

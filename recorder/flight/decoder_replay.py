@@ -9,7 +9,7 @@ from flight.run import RunError
 from flight.verdict import Difference, Verdict
 
 # What the link adds to the meaning of a reply that it does not wait for any more.
-LATE = " (nobody waits for it)"
+LATE = " (no request waits for it)"
 SECONDS = 120
 
 
@@ -38,7 +38,7 @@ def readings(tm_frame, sender, frames):
         done = subprocess.run([str(tm_frame), "decode", "--hex", "--trace-of", sender], input=lines, capture_output=True, text=True,
                               timeout=SECONDS, check=False)
     except (OSError, subprocess.TimeoutExpired) as error:
-        raise RunError(f"{tm_frame} cannot be used: {error}; build it anew, or give another folder with --programs") from None
+        raise RunError(f"{tm_frame} cannot be used: {error}; rebuild it, or give another folder with --programs") from None
     answers = done.stdout.splitlines()
     if done.returncode not in (0, 1) or len(answers) != len(frames):
         raise RunError(f"{tm_frame} has answered {len(answers)} of {len(frames)} frames: {done.stderr.strip() or 'no reason given'}")

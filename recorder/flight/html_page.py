@@ -49,7 +49,7 @@ def findings(analysis):
     for verdict in analysis.verdicts:
         if verdict.differences:
             rows = [(seconds(d.time), d.what, code(d.recorded), code(d.came)) for d in verdict.differences]
-            yield table(f"Replay: what is otherwise ({verdict.name})", ("time", "what", "recorded", "came"), rows)
+            yield table(f"Replay: differences ({verdict.name})", ("time", "what", "recorded", "received"), rows)
     if analysis.remarks:
         yield "<h2>Remarks</h2>" + items(analysis.remarks)
 
@@ -62,7 +62,7 @@ def goal_table(analysis):
         rows.append((seconds(goal.begun), goal.action, commands.target_of(goal),
                      Markup(f'<td><b style="color:{style.KINDS[kind_of(goal)]}">{escaped(outcome)}</b></td>'), number, words,
                      seconds(goal.end.time - goal.begun) if goal.end else "", str(len(goal.feedback))))
-    return table("Goals", ("begun", "action", "goal", "outcome", "error", "what was said", "ended after", "feedbacks"), rows)
+    return table("Goals", ("begun", "action", "goal", "outcome", "error", "message", "ended after", "feedbacks"), rows)
 
 
 def command_table(analysis):

@@ -10,13 +10,13 @@ AGREES, DIFFERS, UNUSABLE = 0, 1, 2
 
 def add_options(parser):
     """The options of a program that reads a bag."""
-    parser.add_argument("bag", help="the bag that flight_record.py has written")
-    parser.add_argument("--namespace", help="of the robot, when there are several in the bag")
+    parser.add_argument("bag", help="bag that flight_record.py has written")
+    parser.add_argument("--namespace", help="namespace of the robot, if the bag has several")
     parser.add_argument("--programs", type=pathlib.Path, help="folder with tm_frame and tm_simulator (default: those of this package)")
     parser.add_argument("--time-scale", type=float, default=simulator_replay.TIME_SCALE, metavar="X",
-                        help="so many times faster than the recording is the replay in the simulator, 0.01 to 100 (default: %(default)g)")
+                        help="speed of the replay in the simulator, as a multiple of the recording, 0.01 to 100 (default: %(default)g)")
     parser.add_argument("--simulator", action="append", default=[], metavar="OPTION",
-                        help="an option of tm_simulator, to set it up as the project of the robot: --simulator=--tcp=gripper=0,0,100,0,0,0")
+                        help="an option of tm_simulator, to set it up like the project of the robot: --simulator=--tcp=gripper=0,0,100,0,0,0")
 
 
 def program(name, folder):
@@ -24,7 +24,7 @@ def program(name, folder):
     if folder is not None:
         path = folder / name
         if not path.is_file():
-            raise RunError(f"there is no {path}; build it, or give another --programs")
+            raise RunError(f"{path} does not exist; build it, or give another folder with --programs")
         return path
     # ROS is needed for this alone.
     import roslib.packages

@@ -18,7 +18,7 @@ def options_of(run, remarks):
     if model:
         options.append(f"--model={model}")
     else:
-        remarks.append("the recording does not say which arm it is; simulated is that of tm_simulator alone")
+        remarks.append("the recording does not name the arm; the default arm of tm_simulator is simulated")
     version = version_of(run.identity.get("tmflow_version", ""))
     if version:
         options.append(f"--tmflow-version={version}")
@@ -62,7 +62,7 @@ class Simulator:
         listening = LISTENING.match(line)
         if not listening:
             reason = self.process.communicate()[1].strip()
-            raise RunError(f"the simulator does not take {' '.join(self.command[1:])}: {reason}")
+            raise RunError(f"the simulator does not accept {' '.join(self.command[1:])}: {reason}")
         self.port = int(listening[1])
         return self
 

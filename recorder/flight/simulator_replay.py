@@ -23,7 +23,7 @@ def replay(run, tm_simulator, time_scale=TIME_SCALE, options=()):
     verdict = Verdict("simulator")
     frames = run.script_frames
     if not any(frame.sent for frame in frames):
-        verdict.remarks.append("nothing was sent, so there is nothing to be replayed")
+        verdict.remarks.append("nothing was sent, so there is nothing to replay")
         return verdict
     with Simulator(tm_simulator, [*options_of(run, verdict.remarks), *options], time_scale) as simulator:
         Replay(run, simulator, time_scale, verdict).go()
@@ -62,7 +62,7 @@ class Replay:
                 (self.send if frame.sent else self.expect)(frame)
                 self.pace.step(frame.time)
                 if self.missing >= MOST_MISSING:
-                    self.verdict.remarks.append(f"{MOST_MISSING} answers did not come: what was sent from {frame.time:.3f} s on is not replayed")
+                    self.verdict.remarks.append(f"{MOST_MISSING} answers were not received: what was sent from {frame.time:.3f} s on is not replayed")
                     return
             self.hear_the_rest()
         finally:

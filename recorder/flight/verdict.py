@@ -10,7 +10,7 @@ class Difference:
     came: str
 
     def __str__(self):
-        return f"{self.time:10.3f} s  {self.what}\n{'recorded:':>22} {self.recorded}\n{'came:':>22} {self.came}"
+        return f"{self.time:10.3f} s  {self.what}\n{'recorded:':>22} {self.recorded}\n{'received:':>22} {self.came}"
 
 
 @dataclasses.dataclass

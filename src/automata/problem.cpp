@@ -26,13 +26,13 @@ class Checker {
     for (const Event& event : problem_.events) {
       if (event.name.empty()) faults_.emplace_back("an event has no name: give it one");
       if (!events.insert(event.name).second) {
-        fault("the event \"{}\" is there twice: each has one name", event.name);
+        fault("the event \"{}\" appears twice: names must be unique", event.name);
       }
     }
     std::set<std::string> names;
     for (const Automaton& automaton : problem_.automata) {
       if (!names.insert(automaton.name).second) {
-        fault("the automaton \"{}\" is there twice: each has one name", automaton.name);
+        fault("the automaton \"{}\" appears twice: names must be unique", automaton.name);
       }
     }
     if (problem_.automata.empty()) {
@@ -44,16 +44,18 @@ class Checker {
     if (automaton.states.empty()) return fault("{}: it has no states", automaton.name);
     std::set<std::string> states;
     for (const std::string& state : automaton.states) {
-      if (!states.insert(state).second) fault("{}: the state \"{}\" is there twice", automaton.name, state);
+      if (!states.insert(state).second) fault("{}: the state \"{}\" appears twice", automaton.name, state);
     }
     if (automaton.initial >= automaton.states.size()) {
-      fault("{}: its initial state is none of its states", automaton.name);
+      fault("{}: its initial state is not one of its states", automaton.name);
     }
     if (automaton.marked.empty()) {
-      fault("{}: no state is marked, so that nothing it does ever comes to an end: mark one", automaton.name);
+      fault("{}: no state is marked, so it can never complete a task: mark one", automaton.name);
     }
     for (const StateIndex state : automaton.marked) {
-      if (state >= automaton.states.size()) fault("{}: a marked state is none of its states", automaton.name);
+      if (state >= automaton.states.size()) {
+        fault("{}: a marked state is not one of its states", automaton.name);
+      }
     }
     std::set<EventIndex> alphabet;
     for (const EventIndex event : automaton.alphabet) {
@@ -70,7 +72,7 @@ class Checker {
     std::map<std::pair<StateIndex, EventIndex>, StateIndex> known;
     for (const Transition& transition : automaton.transitions) {
       if (transition.from >= automaton.states.size() || transition.to >= automaton.states.size()) {
-        fault("{}: a transition begins or ends in none of its states", automaton.name);
+        fault("{}: a transition starts or ends in a state that is not one of its states", automaton.name);
         continue;
       }
       if (alphabet.count(transition.event) == 0) {
@@ -95,7 +97,7 @@ class Checker {
     }
     for (EventIndex event = 0; event < has_plant.size(); ++event) {
       if (!has_plant[event]) {
-        fault("no plant has the event \"{}\": nothing could make it happen", problem_.events[event].name);
+        fault("no plant has the event \"{}\", so it can never happen", problem_.events[event].name);
       }
     }
   }

@@ -67,11 +67,11 @@ class Comparison {
       const std::string& name = problem_.events[edge.event].name;
       found_.faults.push_back(
           by_rules
-              ? fmt::format("a rule is too wide: \"{}\" refuses {} behind {}, which the supervisor grants",
+              ? fmt::format("a rule is too wide: \"{}\" refuses {} after {}, which the supervisor grants",
                             toString(*rule, problem_), name, wayTo(from))
-              : fmt::format("the rules are too narrow: none refuses {} behind {}, which the supervisor "
-                            "refuses",
-                            name, wayTo(from)));
+              : fmt::format(
+                    "the rules are too narrow: none refuses {} after {}, which the supervisor refuses", name,
+                    wayTo(from)));
     }
     return by_frontier;
   }
@@ -82,7 +82,7 @@ class Comparison {
       events.push_back(problem_.events[before_[state].event].name);
     }
     std::reverse(events.begin(), events.end());
-    return events.empty() ? "the beginning" : fmt::format("{}", fmt::join(events, " "));
+    return events.empty() ? "the start" : fmt::format("{}", fmt::join(events, " "));
   }
 
   const std::vector<FrontierRule>& rules_;

@@ -53,8 +53,9 @@ std::vector<std::string> SafeOrder::objectionsTo(const Problem& problem) {
     if (automaton.kind != Automaton::Kind::Plant) continue;
     for (const EventIndex event : automaton.alphabet) {
       if (++plants[event] == 2) {
-        objections.push_back(fmt::format("\"{}\" is of several plants: each robot has its own events",
-                                         problem.events[event].name));
+        objections.push_back(
+            fmt::format("\"{}\" belongs to several plants: each robot must have its own events",
+                        problem.events[event].name));
       }
     }
   }
@@ -67,7 +68,7 @@ std::vector<std::string> SafeOrder::objectionsTo(const Problem& problem) {
           holder[transition.to] == kNobody) {
         continue;
       }
-      objections.push_back(fmt::format("\"{}\" takes {} and is uncontrollable: it could not be kept waiting",
+      objections.push_back(fmt::format("\"{}\" takes {} and is uncontrollable: it cannot be made to wait",
                                        problem.events[transition.event].name, zone.name));
     }
   }

@@ -160,7 +160,7 @@ class Verifier {
     hash.update("\n");
     const std::string found = hash.hex();
     if (!fingerprint.empty() && found != fingerprint) {
-      fault("it is not the supervisor that was synthesized: its fingerprint is {}, that one's {}", found,
+      fault("it is not the supervisor that was synthesized: its fingerprint is {}, expected {}", found,
             fingerprint);
     }
   }
@@ -169,11 +169,11 @@ class Verifier {
     const State& state = model_.states()[number];
     found_.counts.refused_by_spec += state.refused_by_spec;
     if (state.breaks_spec) {
-      fault("not controllable: a spec blocks what cannot be refused behind {}", wayTo(number));
+      fault("not controllable: a spec blocks an event that cannot be refused, after {}", wayTo(number));
     }
     for (const auto& edge : state.edges) {
       if (!model_.problem().events[edge.event].controllable && isFrontier(edge.to)) {
-        fault("not controllable: {} cannot be refused, and leads to where it must not, behind {}",
+        fault("not controllable: {} cannot be refused, and leads to a forbidden state, after {}",
               nameOf(edge.event), wayTo(number));
       }
     }
@@ -191,7 +191,7 @@ class Verifier {
     std::sort(held.begin(), held.end());
     for (std::size_t one = 1; one < held.size(); ++one) {
       if (held[one].first != held[one - 1].first) continue;
-      fault("no mutual exclusion: {} and {} both hold zone {} behind {}",
+      fault("no mutual exclusion: {} and {} both hold zone {} after {}",
             model_.problem().automata[held[one - 1].second].name,
             model_.problem().automata[held[one].second].name, held[one].first, wayTo(number));
     }
@@ -202,17 +202,17 @@ class Verifier {
     for (const Number number : order_) within[number] = true;
     const std::vector<bool> reaches = homeward(within).first;
     for (const Number number : order_) {
-      if (!reaches[number]) fault("it blocks: nothing leads home any more behind {}", wayTo(number));
+      if (!reaches[number]) fault("it blocks: no sequence leads home after {}", wayTo(number));
     }
   }
 
   void checkLargest() {
     const std::vector<bool> good = largestSolution(model_);
     for (const Number number : order_) {
-      if (!good[number]) fault("it allows what leads to where not all come home: {}", wayTo(number));
+      if (!good[number]) fault("it allows a sequence after which not all can return home: {}", wayTo(number));
       for (const auto& edge : model_.states()[number].edges) {
         if (!isRefused(edge) || !good[edge.to]) continue;
-        fault("not maximally permissive: it refuses {} behind {}, though all could come home from there",
+        fault("not maximally permissive: it refuses {} after {}, although all could return home from there",
               nameOf(edge.event), wayTo(number));
       }
     }
@@ -231,7 +231,7 @@ class Verifier {
         if (!before) continue;
         const auto at = model_.find(*before);
         if (at && reached[*at]) continue;
-        fault("taken back, {} leads to where the supervisor never is, behind {}", nameOf(event),
+        fault("withdrawn, {} leads to a state that the supervisor never reaches, after {}", nameOf(event),
               wayTo(number));
       }
     }
@@ -247,7 +247,7 @@ class Verifier {
       events.push_back(nameOf(before_[at].event));
     }
     std::reverse(events.begin(), events.end());
-    return events.empty() ? "the beginning" : fmt::format("{}", fmt::join(events, " "));
+    return events.empty() ? "the start" : fmt::format("{}", fmt::join(events, " "));
   }
 
   template <class... Values>
@@ -286,13 +286,13 @@ std::vector<std::string> formFaults(const CompiledSupervisor& supervisor, const 
     for (std::size_t index = 0; fits && index < tuple.size(); ++index) {
       fits = tuple[index] < automata[index].states.size();
     }
-    if (!fits) faults.emplace_back("a state of the frontier is none of the automata");
+    if (!fits) faults.emplace_back("a state of the frontier does not belong to the automata");
   }
   bool fits = holds.empty() || holds.size() == automata.size();
   for (std::size_t index = 0; fits && index < holds.size(); ++index) {
     fits = holds[index].empty() || holds[index].size() == automata[index].states.size();
   }
-  if (!fits) faults.emplace_back("what robots hold is told for other states than theirs");
+  if (!fits) faults.emplace_back("held zones are given for states that the robots do not have");
   return faults;
 }
 

@@ -137,7 +137,9 @@ class Sequence {
   }
 
   static Fault frameUnknown() {
-    return {{{own_error::kBaseUnknown, "named by the project, with a value that is not known here", ""}}, {}};
+    return {{{own_error::kBaseUnknown,
+              "identified only by its name in the project; its value is unknown here", ""}},
+            {}};
   }
 
   void keep(planning::PlannedStep planned) {
@@ -156,7 +158,8 @@ class Sequence {
     const double payload = arm_.ratings().payload;
     if (tool == nullptr || !tool->tcp_name.empty() || tool->weight <= payload) return;
     const std::string note = fmt::format(
-        "the tool has {} kg, {} carries {} kg: expect its motions to fail in the controller (16#222)",
+        "the tool has {} kg, the payload of {} is {} kg: expect its motions to fail in the controller "
+        "(16#222)",
         tool->weight, arm_.name(), payload);
     report_.steps[step].error_description = note;
     std::string& text = outcome_.error_description;
@@ -174,8 +177,8 @@ class Sequence {
     const motion::Setting& setting = settings_[step];
     fail(step,
          {{{own_error::kBlendingTooLarge,
-            fmt::format("the radius is {:.1f} mm, at most {:.1f} mm fit: half of the way {} the corner",
-                        mToMm(misfit.radius), mToMm(misfit.allowed), misfit.of_before ? "behind" : "to"),
+            fmt::format("the radius is {:.1f} mm, at most {:.1f} mm fit: half of the path {} the corner",
+                        mToMm(misfit.radius), mToMm(misfit.allowed), misfit.of_before ? "after" : "to"),
             ""}},
           arm::toControllerPose(setting.base.inverse() * flange * setting.tcp)});
   }
@@ -183,7 +186,7 @@ class Sequence {
   void fail(std::size_t place, const Fault& fault) {
     const std::size_t step = place % goal_.steps.size();
     Outcome refusal = toRejection(blockOf(goal_.steps[step]), fault.failures);
-    if (place != step) refusal.error_description += "; that is when it comes again, behind the last step";
+    if (place != step) refusal.error_description += "; this is when it is repeated after the last step";
     report_.steps.resize(place + 1);
     planned_.resize(std::min(planned_.size(), report_.steps.size()));
     outcome_ = toRejection(kBlock<CheckSequenceGoal>, {stepRefused(step, goal_.steps.size(), refusal)});
@@ -223,16 +226,16 @@ class Sequence {
 ErrorTable CheckSequenceGoal::errors() {
   return ErrorTable()
       .row(own_error::kStartUnknown, "Start unknown",
-           "Give six start_joints, or wait until the status stream shows the robot standing",
-           "start_joints are neither six finite numbers nor empty; or they are empty and nobody knows "
-           "where the robot is, or where what was sent will leave it")
-      .shared(own_error::kNoModel, "the command layer knows no model of the arm")
+           "Give six start_joints, or wait until the status stream shows the robot at standstill",
+           "start_joints are neither six finite numbers nor empty; or they are empty, and the position of "
+           "the robot, or the position after the commands already sent, is unknown")
+      .shared(own_error::kNoModel, "the command layer has no model of the arm")
       .shared({own_error::kPlanningBudget, own_error::kShutDown})
-      .shared(own_error::kQueueFull, "as many checks wait to be planned as may")
+      .shared(own_error::kQueueFull, "the queue of checks to be planned is full")
       .shared(own_error::kStepCount, "there are no steps, or more than 200")
       .shared({own_error::kStepRefused})
       .row(own_error::kStepsUnreadable, "Steps cannot be read",
-           "Set the kind of each step to one that SequenceStep lists", "a step has a kind that is none");
+           "Set the kind of each step to one that SequenceStep lists", "a step has an unknown kind");
 }
 
 GoalTraits traitsOf(const CheckSequenceGoal& /*goal*/) {

@@ -25,24 +25,22 @@ ErrorTable ConnectGoal::errors() {
            "host, unreachable, no answer, or closed again at once")
       .row(connect_error::kTimeOut, "TimeOut Error",
            "Let the flow of the TMflow project enter its Listen node",
-           "until the timeout the controller answered, but its flow was in no Listen node")
+           "until the timeout the controller answered, but its flow was not in a Listen node")
       .row(connect_error::kClearBuffer, "Clear Buffer Error", kCheckWiring, kNoSuchStep)
       .row(connect_error::kGetStatus, "Get TCP Status Error", kCheckWiring,
-           "cannot occur any more: the state of the socket is told by its events, it is not asked for")
+           "cannot occur any more: the socket reports its state by events, it is not queried")
       .row(connect_error::kSend, "TCP Send Error", kCheckWiring,
            "cannot occur any more: a failed send closes the connection, see 16#20 and 16#90")
       .row(connect_error::kReceive, "TCP Receive Error", kCheckWiring,
-           "cannot occur any more: bytes are read as they come; a device that sends none is 16#70")
+           "cannot occur any more: bytes are read as they arrive; a device that sends none is 16#70")
       .row(connect_error::kNotACobot, "Target device is not a Cobot",
            "Check address and port: the script port of a controller is 5890",
-           "until the timeout the device accepted connections and answered nothing, nothing but errors, or "
-           "something that is not "
-           "the "
-           "protocol of a script port; or it is the status port")
+           "until the timeout the device accepted connections, but sent nothing, only errors, or data that "
+           "are not the protocol of a script port; or it is the status port")
       .row(connect_error::kGetStatusAgain, "Get TCP Status Error", kCheckWiring,
            "cannot occur any more: see 16#40")
       .row(connect_error::kDisconnected, "Socket disconnected", kCheckWiring,
-           "an established link was closed by the peer, or its lifesigns were not answered")
+           "an established link was closed by the peer, or its heartbeats were not answered")
       .row(connect_error::kClose, "TCP Close Error", kCheckWiring,
            "cannot occur any more: closing cannot fail in a way that leaves the connection open")
       .shared({own_error::kShutDown})
@@ -54,8 +52,8 @@ ErrorTable ConnectGoal::errors() {
            "above 65535")
       .row(own_error::kConnectBusy, "Connect is under execution",
            "Cancel the running connect, or use the connection that it made",
-           "another connect goal is Busy, a command is under way on the link that is there, or the robot of "
-           "another controller may still move by what was commanded over it");
+           "another connect goal is Busy, a command is running on the existing link, or the robot of another "
+           "controller may still move by commands sent to it earlier");
 }
 
 GoalTraits traitsOf(const ConnectGoal& /*goal*/) {

@@ -81,24 +81,22 @@ bool ExchangeReport::tellsTheSame(const ExchangeReport& other) const {
 ErrorTable ExchangeConfigurationGoal::errors() {
   return ErrorTable()
       .row(kInvalidStep, "Invalid step", kExecuteAgain,
-           "cannot occur: the states are a table; kept for clients that go through steps of their own")
+           "cannot occur: the states are a table; kept for clients that have steps of their own")
       .row(kTimedOut, "Timeout of the command", "Connect to the robot first, then send the goal again",
-           "5 s passed, and the link was not ready; or the settings of the node could not be put back")
+           "the link was not ready within 5 s; or the settings of the node could not be restored")
       .row(kParCmd, "Invalid name or priority",
            "Give at most 20 printable ASCII characters, and a priority of 0 to 4",
            "name is longer than 20 bytes or not printable, or priority is above 4")
       .row(kSyncMode, "Invalid mode of synchronisation", "Set ~sync/tools/start and the like to 0, 1 or 2",
-           "cannot occur through ROS, whose node takes no such parameter: a mode is unknown, or AUTOMATIC "
-           "(3) at "
-           "the start")
+           "cannot occur through ROS, because the node rejects such a parameter: a mode is unknown, or "
+           "AUTOMATIC (3) at the start")
       .row(kLifeSignLost, "No life sign of the controller",
-           "Look at life_sign_worst_gap, and choose a longer life_sign_time_out; check the wiring. Stop the "
-           "robot by "
-           "other means where it still moves, then connect again",
-           "enabled, and no frame came from the controller for life_sign_time_out")
+           "Check life_sign_worst_gap and choose a longer life_sign_time_out; check the wiring. If the robot "
+           "still moves, stop it by other means, then connect again",
+           "enabled, and no frame arrived from the controller for life_sign_time_out")
       .row(kConnectionLost, "Connection lost",
-           "Connect again, then send a new goal: nothing is enabled by itself",
-           "enabled, and the connection was closed, by whichever side")
+           "Connect again, then send a new goal: nothing is enabled automatically",
+           "enabled, and the connection was closed by either side")
       .row(kLifeSignTimeOut, "Life sign timeout out of range",
            "Set 10 to 65535 ms; 300 ms suits most networks",
            "life_sign_time_out is below 10 ms or above 65535 ms")
@@ -106,10 +104,9 @@ ErrorTable ExchangeConfigurationGoal::errors() {
            "Use 0 (off), 4 (debug), 5 (info), 20 (warning), 28 (error) or 29 (fatal)",
            "log_level is none of these")
       .row(kSyncReaction, "Reaction of synchronisation unknown", "Use 0 to 3", "sync_reaction is above 3")
-      .row(kNumberOfCommands, "Number of commands to wait for out of range",
-           "Set 0 to 64, of which 0 waits for none",
-           "wait_for_nr_of_cmd is above 64: no more commands can wait; or delay_time or sync_delay is none "
-           "of 0 to 65535")
+      .row(kNumberOfCommands, "Number of commands to wait for out of range", "Set 0 to 64; 0 waits for none",
+           "wait_for_nr_of_cmd is above 64, the size of the queue; or delay_time or sync_delay is outside 0 "
+           "to 65535")
       .row(kWaitAtBlending, "Waiting at the blending zone is not supported",
            "Set wait_at_blending_zone to false",
            "wait_at_blending_zone is true: a TM controller has no command that stops where a blend would "
@@ -117,7 +114,7 @@ ErrorTable ExchangeConfigurationGoal::errors() {
       .row(kExecutionMode, "Execution mode unknown",
            "Use 0 (SEQUENCE_PRIMARY) or 2 (PARALLEL), which mean the same", "exec_mode is neither 0 nor 2")
       .row(kOnlyOneInstance, "Only one instance is allowed",
-           "Change the settings with update_configuration, or cancel the goal that is there",
+           "Change the settings with update_configuration, or cancel the active goal",
            "another goal of this block has not ended")
       .shared({own_error::kShutDown});
 }

@@ -50,7 +50,8 @@ bool rests(const TrajectoryPoint& point) {
 std::string faultOf(const TrajectoryPoint& point, bool with_velocities) {
   if (std::string fault = faultOf(point.positions, "positions", "rad"); !fault.empty()) return fault;
   if (point.velocities.empty() == with_velocities) {
-    return "point 0 has velocities and it has none, or the other way round; allowed: all points, or none";
+    return "velocities are given in this point or in point 0, but not in both; allowed: velocities in all "
+           "points, or in none";
   }
   return with_velocities ? faultOf(point.velocities, "velocities", "rad/s") : "";
 }
@@ -75,16 +76,16 @@ std::optional<std::size_t> jointApart(const std::vector<double>& a, const std::v
 std::string faultBehind(const TrajectoryPoint& before, const TrajectoryPoint& point) {
   if (point.time > before.time) return "";
   if (point.time < before.time) {
-    return fmt::format("time_from_start is {} s, and that of the point before it {} s; it has to rise",
+    return fmt::format("time_from_start is {} s, and that of the point before it {} s; it must increase",
                        point.time, before.time);
   }
   constexpr const char* kFound =
-      "it is at the same time as the point before it, and J{} {}; allowed: the same";
+      "it has the same time as the point before it, and J{} {}; allowed: no difference";
   if (const auto joint = jointApart(before.positions, point.positions, kSamePlace)) {
-    return fmt::format(kFound, *joint + 1, "elsewhere");
+    return fmt::format(kFound, *joint + 1, "has another position");
   }
   if (const auto joint = jointApart(before.velocities, point.velocities, kRest)) {
-    return fmt::format(kFound, *joint + 1, "at another velocity");
+    return fmt::format(kFound, *joint + 1, "has another velocity");
   }
   return "";
 }
@@ -101,7 +102,7 @@ std::optional<Failure> checkTimes(const std::vector<TrajectoryPoint>& points) {
   const double last = points.back().time;
   if (last > 0 && last < kLeastTime) {
     return invalid(points.size() - 1,
-                   fmt::format("the last time_from_start is {} s; allowed: {} s at least", last, kLeastTime));
+                   fmt::format("the last time_from_start is {} s; allowed: at least {} s", last, kLeastTime));
   }
   return std::nullopt;
 }
@@ -118,10 +119,11 @@ std::optional<Failure> checkPoints(const std::vector<TrajectoryPoint>& points) {
   }
   if (auto failure = checkTimes(points)) return failure;
   if (points.front().time <= 0 && !rests(points.front())) {
-    return invalid(0, "it has time 0 and a velocity; allowed: rest, as the robot stands there");
+    return invalid(
+        0, "it has time 0 and a velocity; allowed: velocity 0, because the robot is at standstill there");
   }
   if (!rests(points.back())) {
-    return invalid(points.size() - 1, "it is the last one and has a velocity; allowed: rest");
+    return invalid(points.size() - 1, "it is the last point and has a velocity; allowed: velocity 0");
   }
   return std::nullopt;
 }
@@ -152,40 +154,36 @@ ErrorTable FollowJointTrajectoryGoal::errors() {
                own_error::kJointSpeed, own_error::kPlanningBudget, own_error::kNoFreeTag, own_error::kTagLost,
                own_error::kStoppedElsewhere})
       .shared(own_error::kNotPlannable,
-              "planning: refused for another reason than those above, as when it takes more than 3 h")
+              "planning: refused for another reason than those above, for example a duration above 3 h")
       .shared(own_error::kStartUnknown,
-              "it is not known where the robot stands: no status stream, or it moves, or is held, from an "
-              "unknown place")
-      .shared(own_error::kNoModel, "the command layer knows no model of the arm")
-      .row(
-          own_error::kTrajectoryInvalid, "Trajectory invalid", "Correct the trajectory",
-          "a point has not six positions, or velocities where others have none; times do not rise, but for a "
-          "point that is there twice, or end in less than 25 ms or more than a day; the first point, with "
-          "time 0, or the last one is not at rest; a tolerance or a time is no number in its range; there "
-          "are "
-          "more points than one PVT takes; or a point nearer than 25 ms to the ones beside it lies off the "
-          "way without it")
-      .row(
-          own_error::kJointNames, "Joint names wrong", "Name each joint of the robot once, in any order",
-          "joint_names of the trajectory lack a joint of this robot, name one twice, or name another one; or "
-          "a tolerance is for a joint that is none of them")
+              "the position of the robot is unknown: no status stream, or the robot is in a motion, or "
+              "paused in a motion, whose end is unknown")
+      .shared(own_error::kNoModel, "the command layer has no model of the arm")
+      .row(own_error::kTrajectoryInvalid, "Trajectory invalid", "Correct the trajectory",
+           "a point does not have six positions, or only some points have velocities; times do not increase "
+           "(the same point may occur twice), or the last one is below 25 ms or above one day; the first "
+           "point, with time 0, or the last one is not at rest; a tolerance or a time is not a number in its "
+           "range; there are more points than one PVT takes; or a point less than 25 ms from its neighbours "
+           "is off the path without it")
+      .row(own_error::kJointNames, "Joint names wrong", "Name each joint of the robot once, in any order",
+           "joint_names of the trajectory omit a joint of this robot, list one twice, or list an unknown "
+           "one; or a tolerance is for an unknown joint")
       .row(own_error::kStampOld, "Trajectory should have begun", "Send it earlier, or with the stamp zero",
            "the stamp of the trajectory's header is not zero, and more than 1 s ago")
-      .row(
-          own_error::kNotAtStart, "Robot is not where the trajectory starts",
-          "Plan the trajectory from where the robot stands, or give its first point a time to get there",
-          "the first point has time 0, and a joint is further from it than its path tolerance, or than 1 deg "
-          "where none is given")
-      .row(
-          own_error::kPathTolerance, "Path tolerance violated",
-          "Find out why the robot does not follow its trajectory, or allow a larger path_tolerance",
-          "the status stream showed a joint further from all places of the trajectory, from 0.5 s before now "
-          "on, than its path tolerance; the robot is told to stop")
+      .row(own_error::kNotAtStart, "Robot is not where the trajectory starts",
+           "Plan the trajectory from the current position of the robot, or give its first point a time to "
+           "get there",
+           "the first point has time 0, and a joint is further from it than its path tolerance, or than 1 "
+           "deg if none is given")
+      .row(own_error::kPathTolerance, "Path tolerance violated",
+           "Find out why the robot does not follow its trajectory, or allow a larger path_tolerance",
+           "the status stream showed a joint further than its path tolerance from every position that the "
+           "trajectory has from 0.5 s ago onward; the robot is sent a stop command")
       .row(own_error::kGoalTolerance, "Goal tolerance violated",
-           "Find out why the robot does not come to its goal, or allow a larger goal_tolerance or "
+           "Find out why the robot does not reach its goal, or allow a larger goal_tolerance or "
            "goal_time_tolerance",
-           "the controller told the end of the trajectory, and until goal_time_tolerance later the status "
-           "stream showed a joint further from its goal than its goal tolerance, or still in motion");
+           "the controller reported the end of the trajectory, and until goal_time_tolerance later the "
+           "status stream showed a joint further from its goal than its goal tolerance, or still in motion");
 }
 
 GoalTraits traitsOf(const FollowJointTrajectoryGoal& goal) {
@@ -213,10 +211,10 @@ std::vector<Failure> check(const FollowJointTrajectoryGoal& goal) {
       isWithin(goal.goal_time_tolerance, 0, kLongestWait), own_error::kTrajectoryInvalid,
       fmt::format("goal_time_tolerance is {} s; allowed: 0..{} s", goal.goal_time_tolerance, kLongestWait));
   require(!(goal.starts_in > kLongestWait || std::isnan(goal.starts_in)), own_error::kTrajectoryInvalid,
-          fmt::format("it is to begin in {:.1f} s; allowed: up to {} s", goal.starts_in, kLongestWait));
+          fmt::format("it would begin in {:.1f} s; allowed: up to {} s", goal.starts_in, kLongestWait));
   require(goal.names_fault.empty(), own_error::kJointNames, goal.names_fault);
   require(!(goal.starts_in < -kLatest), own_error::kStampOld,
-          fmt::format("its stamp is {:.3f} s ago; allowed: {} s", -goal.starts_in, kLatest));
+          fmt::format("its stamp is {:.3f} s old; allowed: up to {} s", -goal.starts_in, kLatest));
   return failures;
 }
 

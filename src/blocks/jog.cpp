@@ -38,9 +38,10 @@ std::string faultOfDirections(const JogGoal& goal) {
     if (goal.directions[i] >= -1 && goal.directions[i] <= 1) continue;
     return fmt::format("directions[{}] is {}; allowed: -1, 0, 1", i, goal.directions[i]);
   }
-  if (!movesIn(goal, 0, 6)) return "all directions are 0; allowed: one at least that is not";
+  if (!movesIn(goal, 0, 6)) return "all directions are 0; allowed: at least one that is not 0";
   if (is(goal.mode, JogMode::Tool) && movesIn(goal, 0, 3) && movesIn(goal, 3, 3)) {
-    return "the tool is to shift and to turn, and its axes would turn with it; allowed in TOOL: one of both";
+    return "the directions shift and turn the tool, and its axes would turn with it; allowed in TOOL: either "
+           "a shift or a turn";
   }
   return "";
 }
@@ -62,9 +63,8 @@ std::string faultOfIncrements(const JogGoal& goal) {
   const bool turns = of_axes || movesIn(goal, 3, 3);
   if (has_mm == shifts && has_deg == turns) return "";
   return fmt::format(
-      "increment_mm is {} and increment_deg {}, and its directions {}; allowed: an increment for each kind "
-      "of "
-      "direction that is used, and for no other; or none",
+      "increment_mm is {} and increment_deg {}, and the directions {}; allowed: an increment for each kind "
+      "of direction used and for no other, or no increment",
       goal.increment_mm, goal.increment_deg, shifts ? (turns ? "shift and turn" : "shift") : "turn");
 }
 
@@ -91,29 +91,28 @@ ErrorTable JogGoal::errors() {
                own_error::kStopNotConfirmed})
       .shared(motion_error::kSpeedRangePercent, "speed is negative or above 100; 0 means 10 %")
       .condition(own_error::kNotPlannable,
-                 "cannot occur: within its ranges nothing is refused for another reason than those above")
+                 "cannot occur: within the ranges there is no other reason to refuse")
       .shared(own_error::kNotFinite, "speed or an increment is NaN")
       .shared(own_error::kStartUnknown,
-              "it is not known where the robot stands, so that nobody could tell what is in the way: no "
-              "status stream; or, "
-              "in FRAME and TOOL, active base or TCP are of the project, and their values not known")
+              "the position of the robot is unknown, so that limits and singularities cannot be checked: no "
+              "status stream; or, in FRAME and TOOL, the active base or TCP is defined in the project and "
+              "its value is unknown")
       .shared(own_error::kNoModel,
-              "the command layer knows no model of the arm: limits and singularities "
-              "could not be watched")
-      .row(jog_error::kMotionActive, "Motion active", "Wait until the robot stands, or stop it",
-           "another command is Busy, or the robot moves: a jog waits for none, and takes over from none")
+              "the command layer has no model of the arm: limits and singularities cannot be monitored")
+      .row(jog_error::kMotionActive, "Motion active", "Wait until the robot is at standstill, or stop it",
+           "another command is Busy, or the robot moves: a jog is never queued and never replaces another "
+           "command")
       .row(jog_error::kTwoRotations, "Two rotations by increment", "Turn about one axis after the other",
-           "FRAME or TOOL with an increment and more than one direction about an axis: the order would count")
+           "FRAME or TOOL with an increment and more than one direction about an axis: the result would "
+           "depend on the order")
       .row(jog_error::kInput, "Jog input invalid", kSetInRange,
-           "mode is none of 0..2; a direction is none of -1, 0, 1, or all are 0; TOOL with a way and a turn "
-           "at "
-           "once; an increment is negative, above 10000 mm or 720 deg, or not for the directions that are "
-           "used")
+           "mode is not 0..2; a direction is not -1, 0 or 1, or all are 0; TOOL with a shift and a turn at "
+           "once; an increment is negative, above 10000 mm or 720 deg, or does not match the directions")
       .row(tables::table_error::kFrameIndex, "Frame number invalid", "Give -1 (active) or a configured frame",
-           "FRAME, and frame is none of -1..15, or that frame has no value in the tables")
+           "FRAME, and frame is not -1..15, or that frame has no value in the tables")
       .row(tables::table_error::kToolIndex, "Tool number invalid", "Give -1 (active) or a configured tool",
-           "FRAME or TOOL, and tool is none of -1..15, or has no value in the tables; or it is to be turned, "
-           "and is not the active TCP");
+           "FRAME or TOOL, and tool is not -1..15, or has no value in the tables; or the jog turns about a "
+           "tool that is not the active TCP");
 }
 
 GoalTraits traitsOf(const JogGoal& /*goal*/) {

@@ -137,7 +137,7 @@ std::optional<std::string> faultOfTargets(const LoadPathGoal& goal, bool knows_s
 std::optional<Failure> checkUnplanned(const LoadPathGoal& goal, const PlanningScene& scene) {
   const bool has_model = scene.arm != nullptr;
   const std::string missing = !has_model                  ? "no model of the arm"
-                              : scene.why_unknown.empty() ? "it is not known where the arm stands"
+                              : scene.why_unknown.empty() ? "the position of the arm is unknown"
                                                           : scene.why_unknown;
   if (auto refusal = checkWithoutTransform(goal)) {
     refusal->found = fmt::format("{}, and {}", missing, refusal->found);
@@ -198,16 +198,16 @@ Failure refused(const LoadPathGoal& goal, PathRefusal refusal, const PlanningSce
 
 std::string reasonOf(const LoadPathGoal& goal, Execution chosen, const PlanningScene& scene) {
   if (scene.arm == nullptr) {
-    return "no model of the arm is known: its speeds are shares of those of the fastest arms, so that no "
-           "other is "
-           "faster than asked, and planned_duration is of such an arm";
+    return "there is no model of the arm: speeds are shares of those of the fastest arms, so that no arm "
+           "exceeds the requested speed, and planned_duration is for such an arm";
   }
   if (!knowsStart(scene)) {
-    return "it is not known where the arm stands: planned_duration is without the way to the first point";
+    return "the position of the arm is unknown: planned_duration excludes the path to the first point";
   }
-  if (!is(goal.execution, Execution::Auto)) return "it was asked for";
-  return chosen == Execution::Pvt ? "model and place of the arm are known, and a PVT says all of a path"
-                                  : "the controller has refused to enter a PVT";
+  if (!is(goal.execution, Execution::Auto)) return "it was requested";
+  return chosen == Execution::Pvt
+             ? "model and position of the arm are known, and a PVT represents the whole path"
+             : "the controller has refused to enter a PVT";
 }
 
 std::vector<int> lostBlends(const LoadedPath& loaded) {
@@ -288,11 +288,10 @@ Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene) {
     if (!knowsStart(scene) && !scene.why_unknown.empty()) failure.found += "; " + scene.why_unknown;
     if (!is_known && failure.error_id == own_error::kNotInAScript) {
       failure.remedy = fmt::format(
-          "{}, or set allow_approximation, or give each point what a script can say: no jerk, whole percents "
-          "of "
-          "the rated speed",
+          "{}, or set allow_approximation, or give each point what a script can express: no jerk, whole "
+          "percents of the rated speed",
           scene.arm == nullptr ? "Start the node with the model of the arm (~robot_model)"
-                               : "Have the controller stream where the arm stands");
+                               : "Have the controller stream the position of the arm");
     }
     return toRejection(kThis, {std::move(failure)});
   }

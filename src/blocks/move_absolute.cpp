@@ -60,10 +60,10 @@ ErrorTable MoveAbsoluteGoal::errors() {
            "Line with a data_format other than CPP (1), CPR (2), CAP (3) or CAR (4), known or unknown")
       .row(own_error::kPoseWithJoints, "Robot Pose must be disabled for a target in joints",
            "Disable robot_pose_enable, or use CPP",
-           "robot_pose_enable with PTP JPP: the joints say the configuration")
+           "robot_pose_enable with PTP JPP: the joints define the configuration")
       .row(own_error::kPoseNeedsCartesian, "A pose needs a Cartesian DataFormat",
            "Use a format that begins with C, or give the joints in target_position",
-           "target_pose with JPP: a pose is no target in joints")
+           "target_pose with JPP: a pose is not a joint target")
       .shared({own_error::kBlendingTooLarge, own_error::kMovementUnknown});
 }
 

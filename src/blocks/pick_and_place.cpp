@@ -66,7 +66,7 @@ void checkExits(const PickAndPlaceGoal& goal, std::vector<Failure>& failures) {
       failures.push_back(blame(own_error::kExitBeforeEnd, "cycles is 0: there is no last cycle", i));
     } else if (goal.steps[i].output || goal.steps[i].input) {
       failures.push_back(blame(own_error::kExitBeforeEnd,
-                               fmt::format("step {} has an output or an input behind it", i + 1), i));
+                               fmt::format("step {} has an output or an input after its move", i + 1), i));
     } else {
       continue;
     }
@@ -93,31 +93,30 @@ ErrorTable PickAndPlaceGoal::errors() {
       .shared(own_error::kStepCount, "there are no steps, or more than 50")
       .shared({own_error::kStepRefused})
       .row(own_error::kStepFailed, "Step failed", kExecuteAgain,
-           "a move of the cycle failed in execution, or its input did not come; the description tells its "
-           "error and which step")
+           "a move of the cycle failed in execution, or its input did not change in time; see the "
+           "description for the error and the step")
       .row(own_error::kDwellRange, "Dwell range: 0~3600 s", kSetInRange,
            "the dwell of a step is negative, above 3600, or not a number")
       .row(own_error::kCycleRange, "Cycles range: 0~1000000", kSetInRange,
            "cycles is negative or above 1000000; 0 means until cancelled")
       .shared(own_error::kOutputInvalid, "the output of a step is of another module, or has no such number")
-      .shared(own_error::kOutputValue,
-              "cannot occur through ROS, whose outputs are on or off: the value of a step's output is one "
-              "that it cannot have")
-      .shared(own_error::kInputInvalid, "the input of a step is of another module, or has no such number")
       .shared(
-          own_error::kWaitRange,
-          "the timeout of a step's input is negative, above 86400, or not a number; 0 waits without an end")
+          own_error::kOutputValue,
+          "cannot occur through ROS, where outputs are on or off: the value of a step's output is invalid")
+      .shared(own_error::kInputInvalid, "the input of a step is of another module, or has no such number")
+      .shared(own_error::kWaitRange,
+              "the timeout of a step's input is negative, above 86400, or not a number; 0 means no timeout")
       .row(own_error::kStepsUnreadable, "Steps cannot be read",
-           "Check the path of the file, and its form against config/pick_and_place.yaml",
-           "steps_file is not there, is no YAML, or has other fields than a step")
+           "Check the path of the file, and compare its format with config/pick_and_place.yaml",
+           "steps_file does not exist, is not YAML, or has fields that a step does not have")
       .row(own_error::kOutputFailed, "Output not set", "Check that the controller has this output",
            "the controller refused or did not answer the line that sets an output, or it could not be sent; "
-           "the description tells why")
+           "see the description")
       .row(own_error::kBlendBeforeDwell, "Blending must be disabled before an output, an input or a dwell",
            "Disable blending_enable of the step",
            "a step with blending_enable has an output, an input or a dwell")
       .row(own_error::kExitBeforeEnd, "Only the last step of the last cycle may leave the Listen node",
-           "Take exit_node away from the step, or its output and input; give a number of cycles",
+           "Remove exit_node from the step, or its output and input; give a number of cycles",
            "exit_node of a step that is not the last, of one with an output or an input, or with cycles 0");
 }
 

@@ -19,14 +19,15 @@ ErrorTable ProgramControlGoal::errors() {
       .thesisCommand()
       .echoedCommandId()
       .anyCommand()
-      .shared(
-          own_error::kNotListening,
-          "the controller answered CPERR F1: the flow is not in a Listen node, which is left to it to say")
+      .shared(own_error::kNotListening,
+              "the controller answered CPERR F1: the flow is not in a Listen node; only the controller "
+              "checks this")
       .shared(interface_error::kInterrupted,
-              "RESUME, and enabled data are out of sync, for which a sync_reaction has interrupted the robot")
+              "RESUME, and enabled data are out of sync; a sync_reaction has interrupted the robot because "
+              "of this")
       .row(own_error::kOverrideZero, "The speed override is 0 %",
-           "Raise it with change_speed_override: that lets the robot go on",
-           "RESUME, and the robot is held by a speed override of 0")
+           "Raise it with change_speed_override: the robot then continues",
+           "RESUME, and a speed override of 0 pauses the robot")
       .row(own_error::kProgramCommandUnknown, "Command unknown", "Use 0 (Pause) or 1 (Resume)",
            "command is neither 0 nor 1");
 }

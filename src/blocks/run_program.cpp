@@ -25,44 +25,47 @@ ErrorTable RunProgramGoal::errors() {
                own_error::kNotListening, own_error::kEmergencyStop, own_error::kRobotError,
                own_error::kOrphanMoves, own_error::kPlanningBudget, own_error::kShutDown})
       .underInterface()
-      .row(own_error::kStepRefused, "Step refused", "Build the cell's artifact anew, and load it everywhere",
-           "a frame of the program cannot be planned from where the robot is; the description tells why")
+      .row(own_error::kStepRefused, "Step refused",
+           "Build the cell's artifact again, and load it on all nodes",
+           "a frame of the program cannot be planned from where the robot is; see the description")
       .row(own_error::kStepFailed, "Step failed", kExecuteAgain,
-           "a frame of the program failed in execution, or the input behind it did not come; the description "
-           "tells its error and which step")
+           "a frame of the program failed in execution, or the input after it did not change in time; see "
+           "the description for the error and the step")
       .row(own_error::kOutputFailed, "Output not set", "Check that the controller has this output",
            "the controller refused or did not answer the line that sets an output, or it could not be sent; "
-           "the description tells why")
+           "see the description")
       .row(own_error::kCycleRange, "Cycles range: 0~1000000", kSetInRange,
            "cycles is negative or above 1000000; 0 means until cancelled")
-      .row(own_error::kNotPermitted, "Not permitted", "Look at cell/state, which tells what is in the way",
-           "the supervisor has not let the robot in, or did not permit a frame that was to leave")
-      .row(own_error::kPermitLate, "Permit did not come in time",
-           "Look at who holds what the robot waits for, and let that one go on; then execute again",
-           "a permit was waited for longer than the cell's wait_timeout; the robot stands, its zones stay")
+      .row(own_error::kNotPermitted, "Not permitted", "Read cell/state: it names what blocks the robot",
+           "the supervisor has not admitted the robot, or did not permit a frame")
+      .row(own_error::kPermitLate, "No permit in time",
+           "Find out which robot owns what this robot waits for, and let that robot continue; then execute "
+           "again",
+           "the wait for a permit exceeded the cell's wait_timeout; the robot is at standstill and keeps its "
+           "zones")
       .row(own_error::kNotInArtifact, "Not what the artifact has",
            "Load the same artifact on all nodes of the cell",
-           "the lines that were to leave are not those that were proved")
+           "the lines to be sent differ from those that the build verified")
       .row(own_error::kNotAtStepStart, "Not where the step starts",
-           "Bring the robot to the place that the supervisor tells, and recover it there",
+           "Move the robot to the position that the supervisor reports, and recover it there",
            "the arm is not, or will not be, where the artifact plans the frame to start")
       .row(own_error::kSettingDiffers, "Frames, speed or mode differ",
            "Set base, TCP, project speed and mode as the cell's program has them",
-           "base or TCP are other ones, the project speed is above the cell's speed_override, the mode is "
-           "manual, the robot has an error, or its status is older than 0.2 s")
+           "base or TCP differ, the project speed is above the cell's speed_override, the mode is manual, "
+           "the robot has an error, or its status is older than 0.2 s")
       .row(own_error::kSupervisorSilent, "Supervisor silent, or another one",
            "Start the supervisor with the same artifact",
            "the newest state of the cell is older than its lease, of another artifact, or of another "
            "supervisor")
-      .row(own_error::kOffPath, "Off the path", "Find out who moved the robot; recover it",
-           "the measured joints are not where the frames that were sent lead; the robot is stopped")
+      .row(own_error::kOffPath, "Off the path", "Find out what moved the robot; recover it",
+           "the measured joints are not on the path of the frames that were sent; the robot is stopped")
       .row(own_error::kProgramUnknown, "No such program",
            "Start the node with ~cell, or name paths that follow each other",
-           "the command node is in no cell, or a path is none of its program, or does not begin where the "
-           "one before it ends")
+           "the command node is in no cell, or a path is not in its program, or does not begin where the one "
+           "before it ends")
       .row(own_error::kRecoveryNeeded, "Recovery needed",
            "Recover the robot with the supervisor's service recover",
-           "the program was stopped where it cannot begin again, or the supervisor wants it recovered");
+           "the program was stopped where it cannot begin again, or the supervisor requires a recovery");
 }
 
 GoalTraits traitsOf(const RunProgramGoal& /*goal*/) {

@@ -107,11 +107,12 @@ std::string faultOf(const std::string& script, bool await_motion) {
     }
     for (const char* word : {"QueueTag", "WaitQueueTag"}) {
       if (hasWord(line.text, word)) {
-        return fmt::format("line {} has {}: queue tags are the layer's, see await_motion", line.number, word);
+        return fmt::format("line {} has {}: only the command layer sets queue tags, see await_motion",
+                           line.number, word);
       }
     }
     if (isScriptExit(line) && line.number != lines.back().number) {
-      return fmt::format("the lines behind line {}, ScriptExit(), would never run", line.number);
+      return fmt::format("the lines after line {}, ScriptExit(), would never run", line.number);
     }
     if (isPriority(line.text) && (lines.size() > 1 || await_motion)) {
       return fmt::format(
@@ -162,25 +163,20 @@ ErrorTable RunScriptGoal::errors() {
   return ErrorTable()
       .anyCommand()
       .remedy(motion_error::kRejected,
-              "Correct the lines that the description names; sent again as they are they "
-              "fail again")
+              "Correct the lines that the description names; unchanged they fail again")
       .turn()
       .underInterface()
       .inCell()
       .motion()
-      .row(
-          own_error::kScriptInvalid, "Script invalid",
-          "Give lines of printable text, together at most 4096 bytes, without queue tags; close each text, "
-          "comment "
-          "and bracket; send a StopAndClearBuffer or ScriptExit with a number by itself, without "
-          "await_motion",
-          "script is empty, too long, or not UTF-8; or a line has control characters or the word QueueTag or "
-          "WaitQueueTag; or lines follow a ScriptExit(); or a StopAndClearBuffer or ScriptExit with a "
-          "number, "
-          "which the controller executes alone, has lines or await_motion with it; or a text is not closed "
-          "in "
-          "its line, a comment or bracket "
-          "not in the script: the layer's own lines behind it would be read as part of it")
+      .row(own_error::kScriptInvalid, "Script invalid",
+           "Give lines of printable text, together at most 4096 bytes, without queue tags; close each text, "
+           "comment and bracket; send a StopAndClearBuffer or ScriptExit with a number alone, without "
+           "await_motion",
+           "script is empty, too long, or not UTF-8; or a line has control characters or the word QueueTag "
+           "or WaitQueueTag; or lines follow a ScriptExit(); or a StopAndClearBuffer or ScriptExit with a "
+           "number, which the controller executes alone, has lines or await_motion with it; or a text is not "
+           "closed in its line, a comment or bracket not in the script: the layer's own lines after it would "
+           "be read as part of it")
       .row(own_error::kReplyTimeoutRange, "ReplyTimeout range: 0.05~3600 s, or 0", kSetInRange,
            "reply_timeout is neither 0 (that of the link) nor 0.05..3600");
 }

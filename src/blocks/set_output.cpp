@@ -16,7 +16,7 @@ bool isAnalog(const SetOutputGoal& goal) {
 void checkAnalog(ParameterChecks& checks, const SetOutputGoal& goal) {
   const bool is_there = script::ioModule(goal.module) == script::IoModule::ControlBox && goal.output == 0;
   checks.require(is_there, own_error::kOutputInvalid,
-                 fmt::format("analog output {} of module '{}'; there is 0 of ControlBox", goal.output,
+                 fmt::format("analog output {} of module '{}'; allowed: 0 of ControlBox", goal.output,
                              foreignText(goal.module, kQuoteLimit)));
   checks.require(isWithin(goal.value, -script::kMostVolt, script::kMostVolt), own_error::kOutputValue,
                  fmt::format("value is {} V", goal.value));
@@ -35,8 +35,8 @@ ErrorTable SetOutputGoal::errors() {
       .anyCommand()
       .turn()
       .condition(motion_error::kReceiveReply,
-                 "the controller did not answer the script in time; unless it was at_once, the robot is "
-                 "told to stop")
+                 "the controller did not answer the script in time; unless it was at_once, the robot is sent "
+                 "a stop command")
       .shared({own_error::kOutputInvalid, own_error::kOutputValue});
 }
 

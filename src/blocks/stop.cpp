@@ -7,12 +7,11 @@ namespace cobot_command::blocks {
 ErrorTable StopGoal::errors() {
   return ErrorTable()
       .shared({motion_error::kNotConnected})
-      .shared(motion_error::kLinkDropped, "the link dropped before the robot was seen to stand")
+      .shared(motion_error::kLinkDropped, "the link dropped before the robot was confirmed at standstill")
       .shared(
           own_error::kStopNotConfirmed,
-          "the controller did not accept the stop, as it does outside the Listen node (CPERR F1), or did not "
-          "answer, or the status stream did not show the robot come to rest in time: the robot may still "
-          "move")
+          "the controller did not accept the stop, as outside the Listen node (CPERR F1), or did not answer, "
+          "or the status stream did not show the robot at standstill in time: the robot may still move")
       .shared({own_error::kShutDown});
 }
 

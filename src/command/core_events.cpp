@@ -86,12 +86,11 @@ bool CommandCore::Impl::retired() const {
 }
 
 void CommandCore::Impl::shutDown(Instant now) {
-  const std::string why = arbiter_.stops().busy()
-                              ? fmt::format(
-                                    "{}; the robot was told to stop, and did not confirm it "
-                                    "in the time there was: it may still move",
-                                    kShuttingDown)
-                              : kShuttingDown;
+  const std::string why = arbiter_.stops().busy() ? fmt::format(
+                                                        "{}; the robot was sent a stop command, and did not "
+                                                        "confirm it in the available time: it may still move",
+                                                        kShuttingDown)
+                                                  : kShuttingDown;
   life_ = Life::Over;
   keeper_.keepNoMore();
   arbiter_.shutDown(why, now);
@@ -216,7 +215,7 @@ void CommandCore::Impl::handle(const link::LinkChanged& /*event*/, Instant now) 
 void CommandCore::Impl::handle(const link::LinkLost& event, Instant now) {
   actions_.emplace_back(
       LogMessage{Severity::Error, "link lost: " + event.reason, blocks::exchange_error::kConnectionLost,
-                 "see command_status; where the robot still moves, stop it, then connect again"});
+                 "see command_status; if the robot still moves, stop it, then connect again"});
   const bool moved = arbiter_.mayMove();
   if (moved) keeper_.leftMoving();
   exchange_.linkLost(event.reason, now);
@@ -236,7 +235,7 @@ void CommandCore::Impl::handle(const link::TagReported& event, Instant now) {
   if (event.asked) return;  // asked before the command ended
   if (tags_.isForeign(event.tag)) strangers_.tagReported(event.tag);
   const bool stale = !tags_.complete(event.tag);
-  if (stale) warn(fmt::format("report of tag {}, for which nothing waits", event.tag));
+  if (stale) warn(fmt::format("report of tag {}, for which no command waits", event.tag));
 }
 
 void CommandCore::Impl::handle(const link::TagQueryFailed& event, Instant now) {

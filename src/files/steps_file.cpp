@@ -16,7 +16,7 @@ blocks::MoveAbsoluteGoal toMove(const YamlMap& step) {
   blocks::MoveAbsoluteGoal move;
   move.movement_command = step.named("movement_command", movementNames());
   move.data_format =
-      toAbsoluteFormat(step, move.movement_command, "moves relative to the tool have no place in this file");
+      toAbsoluteFormat(step, move.movement_command, "this file cannot contain moves relative to the tool");
   move.target = toSix(step, "target_position");
   takeMotion(step, move);
   takePosture(step, move);
@@ -145,12 +145,14 @@ void refuseRetiredKey(const YAML::Node& step) {
   for (const auto& entry : step) {
     if (entry.first.IsScalar() && entry.first.Scalar() == "precise_positioning") {
       const std::string advice =
-          "leave it out where it was true, write disable_precise_positioning: true where it was false";
-      throw YamlFault(
-          entry.first.Mark(),
-          "precise_positioning has become disable_precise_positioning, which says the contrary: " + advice,
-          {"precise_positioning", "has become disable_precise_positioning, which says the contrary",
-           "disable_precise_positioning", advice});
+          "remove it if it was true, write disable_precise_positioning: true if it was false";
+      throw YamlFault(entry.first.Mark(),
+                      "precise_positioning was replaced by disable_precise_positioning, which has the "
+                      "opposite meaning: " +
+                          advice,
+                      {"precise_positioning",
+                       "was replaced by disable_precise_positioning, which has the opposite meaning",
+                       "disable_precise_positioning", advice});
     }
   }
 }

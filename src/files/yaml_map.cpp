@@ -70,10 +70,10 @@ std::string keyOf(const YAML::Node& key) {
 
 /// `first`: where the key stands for the first time.
 [[noreturn]] void refuseSecond(const YAML::Node& key, const YAML::Node& first, const char* what) {
-  const std::string told = fmt::format("twice in {}, before in line {}", what, first.Mark().line + 1);
+  const std::string told = fmt::format("twice in {}, first in line {}", what, first.Mark().line + 1);
   throw YamlFault(
-      key.Mark(), fmt::format("{} stands {}", foreignText(key.Scalar(), kQuoteLimit), told),
-      {foreignText(key.Scalar(), kQuoteLimit), "stands " + told, "each key once", "take one of them away"});
+      key.Mark(), fmt::format("{} is {}", foreignText(key.Scalar(), kQuoteLimit), told),
+      {foreignText(key.Scalar(), kQuoteLimit), "is " + told, "each key once", "remove one of them"});
 }
 
 [[noreturn]] void refuseUnknown(const YAML::Node& key, const char* what,
@@ -230,9 +230,10 @@ FileFault faultOf(const std::string& name, const YamlFault& fault) {
 /// The library's words, without what it found in the text.
 FileFault faultOf(const std::string& name, const YAML::Exception& fault) {
   const std::string words = fault.msg.substr(0, fault.msg.find(':'));
-  return faultAt(name, fault.mark, "no YAML: " + words,
-                 {"", "is no YAML: " + words, "",
-                  "look for tabs, where YAML wants blanks, and at how the lines before are indented"});
+  return faultAt(
+      name, fault.mark, "not YAML: " + words,
+      {"", "is not YAML: " + words, "",
+       "check for tabs, where YAML requires blanks, and check the indentation of the lines before"});
 }
 
 }  // namespace cobot_command::files

@@ -29,7 +29,7 @@ Result<double, Refusal> mostErrorOf(const ToolQuestion& question) {
   const double given = question.most_error;
   if (given >= 0 && given <= arm::kMaxCoordinate) return given > 0 ? given : kUsualError;
   const int id = std::isfinite(given) ? kinematics_error::kCoordinateRange : kinematics_error::kNotFinite;
-  return refuse(Refusal{id, fmt::format("most_error is {} mm; allowed: 0 to {}, of which 0 is {} mm", given,
+  return refuse(Refusal{id, fmt::format("most_error is {} mm; allowed: 0 to {}; 0 means {} mm", given,
                                         arm::kMaxCoordinate, kUsualError)});
 }
 

@@ -23,7 +23,7 @@ Refusal refusalOf(tables::Kind kind, const tables::Gap& gap) {
       break;
   }
   return {id, fmt::format("{}; allowed: one whose pose is known here. Write it with write_{} with its pose "
-                          "beside its name, or give another number",
+                          "in addition to its name, or give another number",
                           gap.found, name)};
 }
 

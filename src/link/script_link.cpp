@@ -174,8 +174,7 @@ void ScriptLink::lifesignDue(Instant now) {
     } else if (!heard_.empty()) {
       diagnose(
           Trouble::OtherAnswers,
-          fmt::format("connected to {}:{}, but the question for the Listen node gets no answer: all that "
-                      "comes is {}",
+          fmt::format("connected to {}:{}, but the query for the Listen node gets no answer; received: {}",
                       host_, port_, heard_));
     } else {
       diagnose(
@@ -188,8 +187,9 @@ void ScriptLink::lifesignDue(Instant now) {
     return;
   }
   if (established()) {
-    diagnose(Trouble::Silent, fmt::format("no answer to {} lifesigns: the controller or the cable is dead",
-                                          unanswered_lifesigns_));
+    diagnose(Trouble::Silent,
+             fmt::format("no answer to {} heartbeats: the controller or the cable has failed",
+                         unanswered_lifesigns_));
   }
   fire(Event::NoAnswer, now);
 }

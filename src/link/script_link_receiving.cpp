@@ -62,7 +62,7 @@ void ScriptLink::read(const protocol::DecodeEvent& event, Instant now) {
   if (!traced) return;
   wire_.trace(
       now, Channel::Script, false, bytes,
-      protocol::describe(*message) + (requests().late() > late_before ? " (nobody waits for it)" : ""));
+      protocol::describe(*message) + (requests().late() > late_before ? " (no request waits for it)" : ""));
 }
 
 void ScriptLink::fault(std::string_view bytes, const std::string& meaning, Instant now) {

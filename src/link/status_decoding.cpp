@@ -121,7 +121,7 @@ constexpr ItemRow row(std::string_view name, ItemNeed need, std::string_view wit
 template <auto Member>
 constexpr ItemRow identityRow(std::string_view name) {
   return {
-      {name, ItemNeed::Choice, "it is asked for"},
+      {name, ItemNeed::Choice, "it is queried from the controller"},
       [](const StatusItem& item, RobotStatus& status) { return readString(item, status.identity.*Member); },
       [](const RobotStatus& status) { return (status.identity.*Member).has_value(); }};
 }
@@ -131,76 +131,73 @@ constexpr ItemRow identityRow(std::string_view name) {
 // have Joint_Speed (TM 3.1).
 constexpr ItemRow kItems[] = {
     row<&RobotStatus::error, readBool>("Robot_Error", ItemNeed::Ready,
-                                       "errors of the controller are not seen: what fails by them says only "
-                                       "that it did, and nothing refuses the next motion"),
+                                       "errors of the controller are not detected: a failure is reported "
+                                       "without its cause, and the next motion is not refused"),
     row<&RobotStatus::project_running, readBool>(
-        "Project_Run", ItemNeed::Ready, "nobody sees whether the project runs, or that it has stopped"),
-    row<&RobotStatus::project_paused, readBool>(
-        "Project_Pause", ItemNeed::Ready,
-        "a pause by others is not seen: the deadlines of motions run on, and no goal shows HELD"),
-    row<&RobotStatus::safeguard, readBool>(
-        "Safeguard_A", ItemNeed::Ready,
-        "a safeguard that holds the robot is not seen: the deadlines of motions run on, and no goal shows "
-        "HELD"),
+        "Project_Run", ItemNeed::Ready, "it is not detected whether the project runs or has stopped"),
+    row<&RobotStatus::project_paused, readBool>("Project_Pause", ItemNeed::Ready,
+                                                "a pause by others is not detected: the deadlines of motions "
+                                                "continue to run, and no goal shows HELD"),
+    row<&RobotStatus::safeguard, readBool>("Safeguard_A", ItemNeed::Ready,
+                                           "a safeguard that stops the robot is not detected: the deadlines "
+                                           "of motions continue to run, and no goal shows HELD"),
     row<&RobotStatus::emergency_stop, readBool>(
-        "ESTOP", ItemNeed::Ready,
-        "an emergency stop is not seen: what ends by it ends as a link that was lost"),
+        "ESTOP", ItemNeed::Ready, "an emergency stop is not detected: goals end as after a lost link"),
     row<&RobotStatus::error_code, readInt>("Error_Code", ItemNeed::Always,
                                            "errors of the controller have no number and no text"),
-    row<&RobotStatus::joints, readJoints>("Joint_Angle", ItemNeed::Ready,
-                                          "no joint_states; moves are sent unplanned and unchecked, and "
-                                          "nobody sees where they end; jog, paths, "
-                                          "trajectories and interrupt are refused"),
-    row<&RobotStatus::joint_velocities, readJoints>("Joint_Speed", ItemNeed::Always,
-                                                    "no velocities in joint_states; that the robot stands is "
-                                                    "seen 0.3 s later, by its joint angles (TMflow "
-                                                    "1.76 does not have it)"),
+    row<&RobotStatus::joints, readJoints>(
+        "Joint_Angle", ItemNeed::Ready,
+        "no joint_states; moves are sent unplanned and unchecked, and their end positions are not confirmed; "
+        "jog, paths, trajectories and interrupt are refused"),
+    row<&RobotStatus::joint_velocities, readJoints>(
+        "Joint_Speed", ItemNeed::Always,
+        "no velocities in joint_states; standstill is detected 0.3 s later, by the joint angles (TMflow 1.76 "
+        "does not have it)"),
     row<&RobotStatus::joint_torques, readTorques>("Joint_Torque", ItemNeed::Always,
                                                   "no efforts in joint_states"),
     row<&RobotStatus::flange, readPose>("Coord_Robot_Flange", ItemNeed::Always,
-                                        "without TCP_Value the active tool is not known"),
+                                        "if TCP_Value is also missing, the active tool is unknown"),
     row<&RobotStatus::tool, readPose>("Coord_Robot_Tool", ItemNeed::Always,
-                                      "no tool_pose, no final_pose; whether a pose was reached is told by "
+                                      "no tool_pose, no final_pose; whether a pose was reached is judged by "
                                       "the nominal model alone, to 10 mm"),
-    row<&RobotStatus::tcp, readPose>(
-        "TCP_Value", ItemNeed::Always,
-        "until change_tcp the active tool is known by flange and tool pose alone; without these nobody sees "
-        "whether a pose was reached"),
+    row<&RobotStatus::tcp, readPose>("TCP_Value", ItemNeed::Always,
+                                     "until change_tcp the active tool is known only from flange and tool "
+                                     "pose; without these it is not confirmed whether a pose was reached"),
     row<&RobotStatus::tcp_name, readString>("TCP_Name", ItemNeed::Always, "the active tool has no name here"),
-    row<&RobotStatus::base, readPose>(
-        "Base_Value", ItemNeed::Always,
-        "until change_base the active base is not known: targets in a tf frame are refused, and nobody sees "
-        "whether a pose was reached"),
+    row<&RobotStatus::base, readPose>("Base_Value", ItemNeed::Always,
+                                      "until change_base the active base is unknown: targets in a tf frame "
+                                      "are refused, and it is not confirmed whether a pose was reached"),
     row<&RobotStatus::base_name, readString>("Base_Name", ItemNeed::Always,
                                              "the active base has no name here"),
     row<&RobotStatus::project_speed_percent, readInt>(
         "Project_Speed", ItemNeed::Always,
         "plans are made for a project speed of 100 %: at a lower one motions take longer than planned"),
-    row<&RobotStatus::operating_mode, readInt>(
-        "MA_Mode", ItemNeed::Always, "the manual mode is not seen; programs in a cell let no frame leave"),
-    {{"Ctrl_DI0", ItemNeed::Choice, "it is unknown in digital_io, and wait_for_input is refused"},
+    row<&RobotStatus::operating_mode, readInt>("MA_Mode", ItemNeed::Always,
+                                               "manual mode is not detected; robots in a cell do not move"),
+    {{"Ctrl_DI0", ItemNeed::Choice, "the level is UNKNOWN in digital_io, and wait_for_input is refused"},
      nullptr,
      nullptr},
-    {{"Ctrl_DO0", ItemNeed::Choice, "it is unknown in digital_io"}, nullptr, nullptr},
-    {{"End_DI0", ItemNeed::Choice, "it is unknown in digital_io, and wait_for_input is refused"},
+    {{"Ctrl_DO0", ItemNeed::Choice, "the level is UNKNOWN in digital_io"}, nullptr, nullptr},
+    {{"End_DI0", ItemNeed::Choice, "the level is UNKNOWN in digital_io, and wait_for_input is refused"},
      nullptr,
      nullptr},
-    {{"End_DO0", ItemNeed::Choice, "it is unknown in digital_io"}, nullptr, nullptr},
+    {{"End_DO0", ItemNeed::Choice, "the level is UNKNOWN in digital_io"}, nullptr, nullptr},
     row<&RobotStatus::tcp_mass, readMass>("TCP_Mass", ItemNeed::Choice,
-                                          "what the tool weighs is known only from change_tcp on"),
+                                          "the mass of the tool is known only from change_tcp on"),
     row<&RobotStatus::tool_speed, readSpeed>(
-        "TCP_Speed3D", ItemNeed::Choice, "group_state does not tell whether the tool gets faster or slower"),
+        "TCP_Speed3D", ItemNeed::Choice,
+        "group_state does not show whether the tool accelerates or decelerates"),
     row<&RobotStatus::safety_lower, readJoints>("Safety_Joint_Angle_Min", ItemNeed::Choice,
-                                                "the software limits are compared with nothing"),
+                                                "the software limits are not compared with the controller's"),
     row<&RobotStatus::safety_upper, readJoints>("Safety_Joint_Angle_Max", ItemNeed::Choice,
-                                                "the software limits are compared with nothing"),
+                                                "the software limits are not compared with the controller's"),
     identityRow<&ControllerIdentity::robot_model>("Robot_Model"),
     identityRow<&ControllerIdentity::control_box_sn>("ControlBox_SN"),
     identityRow<&ControllerIdentity::tmflow_version>("TMflow_Version"),
     row<&RobotStatus::error_text, readString>(
         "Error_Content", ItemNeed::Choice,
-        "errors have the text that is known of their code (TMflow after 1.76 does not have it)"),
-    row<&RobotStatus::linked, readBool>("Robot_Link", ItemNeed::Choice, "nothing here depends on it"),
+        "errors have the built-in text for their code (TMflow after 1.76 does not have this item)"),
+    row<&RobotStatus::linked, readBool>("Robot_Link", ItemNeed::Choice, "nothing depends on it"),
 };
 
 constexpr const char* kDataTable = "TMflow, Setting > Connection > Ethernet Slave > Data Table";

@@ -23,7 +23,7 @@ std::string textOfWhatItLacks(const RobotStatus& status) {
   std::string text;
   if (!status.unreadable.empty()) {
     text = fmt::format(
-        "the status stream comes, but the value of {} cannot be one: wrong type or size, or a number that is "
+        "the status stream arrives, but the value of {} is invalid: wrong type or size, or a number that is "
         "not finite",
         fmt::join(status.unreadable, ", "));
   }
@@ -92,11 +92,11 @@ std::string StatusLink::silence() const {
                        port_);
   }
   if (state_ == StatusLinkState::Streaming) {
-    return heard_ == Heard::Nothing ? "the status stream fell silent"
-                                    : "the status stream fell silent: what comes is no frame of it";
+    return heard_ == Heard::Nothing ? "the status stream has stopped"
+                                    : "the status stream has stopped: the data received are not its frames";
   }
   if (heard_ == Heard::Garbage) {
-    return fmt::format("{}:{} sends something that is no status stream of a TM robot: check the port", host_,
+    return fmt::format("{}:{} sends data that are not the status stream of a TM robot: check the port", host_,
                        port_);
   }
   return fmt::format(

@@ -30,7 +30,7 @@ Result<JointRange, Unbounded> Trajectory::jointRange(Duration from, Duration to)
 }
 
 Result<JointRange, Unbounded> Trajectory::rangeWithin(Duration from, Duration to) const {
-  return refuse(unbounded(from, to, "as this kind of motion promises none: use one that is planned"));
+  return refuse(unbounded(from, to, "because this kind of motion guarantees none: use one that is planned"));
 }
 
 }  // namespace cobot_command::motion

@@ -92,10 +92,10 @@ Result<VelocityMotion, Refusal> planTcpVelocity(const arm::ArmModel& arm, const 
                                                 const TcpVelocity& velocity, const VelocityTimes& times,
                                                 const Setting& setting) {
   if (velocity.linear.norm() > kMaxTcpSpeed) {
-    return refuse(refusal(
-        Refusal::Reason::BadParameter,
-        fmt::format("the TCP is asked for {:.6g} mm/s, at most {:.0f} mm/s is allowed: choose a lower speed",
-                    mToMm(velocity.linear.norm()), mToMm(kMaxTcpSpeed))));
+    return refuse(refusal(Refusal::Reason::BadParameter,
+                          fmt::format("the requested speed of the TCP is {:.6g} mm/s, at most {:.0f} mm/s is "
+                                      "allowed: choose a lower speed",
+                                      mToMm(velocity.linear.norm()), mToMm(kMaxTcpSpeed))));
   }
   PathRate rate;
   rate << setting.base.linear() * velocity.linear, setting.base.linear() * velocity.angular;

@@ -14,7 +14,8 @@ namespace {
 namespace ros_adapter = cobot_command::ros_adapter;
 
 const cobot_command::nodes::NodeDescription kNode{
-    "cell_mechanism", "Asks the supervisor of a cell where a mechanism may move, and tells where it is.",
+    "cell_mechanism",
+    "Asks the cell supervisor for permission to move a mechanism, and reports its position.",
     "_artifact:=/home/me/pallet.artifact _mechanism:=PALLET"};
 
 int serve(int argc, char** argv) {

@@ -16,7 +16,7 @@ namespace {
 namespace ros_adapter = cobot_command::ros_adapter;
 
 const cobot_command::nodes::NodeDescription kNode{
-    "cell_supervisor", "Grants the robots of a cell where they may go, so that none meets another.",
+    "cell_supervisor", "Grants the robots of a cell permission to move, so that they do not collide.",
     "_artifact:=/home/me/handover.artifact _journal:=/home/me/handover.journal"};
 
 int serve(int argc, char** argv) {
@@ -34,8 +34,9 @@ int serve(int argc, char** argv) {
   // Its services would take the place of those of the first one, without a word.
   const std::string hold = node.resolveName("hold");
   if (ros::service::exists(hold, false)) {
-    ROS_FATAL_STREAM("a supervisor serves " << cobot_command::forPeople(hold)
-                                            << " already: stop it, or give this cell another namespace");
+    ROS_FATAL_STREAM("another supervisor provides "
+                     << cobot_command::forPeople(hold)
+                     << " already: stop it, or give this cell another namespace");
     return 2;
   }
   auto supervisor = cobot_command::runtime::CellSupervisor::open(parameters->files, parameters->policy);

@@ -36,8 +36,7 @@ std::optional<int> answerArguments(int argc, const char* const* argv, const Node
       return 0;
     }
     if (word.find(":=") == std::string_view::npos) {
-      fmt::print(stderr,
-                 "'{}' is nothing that a node is started with; allowed: name:=value, --help, --version\n{}",
+      fmt::print(stderr, "'{}' is not an argument of a node; allowed: name:=value, --help, --version\n{}",
                  foreignText(word), usageOf(node));
       return 2;
     }
@@ -51,8 +50,8 @@ std::optional<int> answerArguments(int argc, const char* const* argv, const Node
 
 int explain(const NodeDescription& node, const std::exception& error) {
   fmt::print(stderr,
-             "{}: a name cannot be had as this node was started: {}. Change what renames it (name:=other, "
-             "<remap>, __name, __ns)\n",
+             "{}: a name of this node cannot be used: {}. Change the remapping (name:=other, <remap>, "
+             "__name, __ns)\n",
              node.name, foreignText(error.what(), kReasonLimit));
   return 2;
 }

@@ -80,8 +80,8 @@ Fault faultInMaster(const char* setting, const std::string& uri) {
 Fault faultInWord(std::string_view left, std::string_view right) {
   if (left == "__name" && !isNodeName(right)) {
     return fmt::format(
-        "__name is {}; allowed: letters, digits and _, a letter first, as in __name:=robot_1; its namespace "
-        "is set by __ns",
+        "__name is {}; allowed: letters, digits and _, starting with a letter, as in __name:=robot_1; its "
+        "namespace is set by __ns",
         inQuotes(right));
   }
   if (left == "__ns") return faultInNamespace("__ns", right);
@@ -95,14 +95,14 @@ Fault faultInWord(std::string_view left, std::string_view right) {
   if (left.substr(0, 1) == "_") {
     if (left.size() > 1 && isRest(left.substr(1))) return std::nullopt;
     return fmt::format(
-        "{} is no name of a parameter; allowed: letters, digits, _ and /, as in _robot_ip:=10.0.0.1",
+        "{} is not a valid name of a parameter; allowed: letters, digits, _ and /, as in _robot_ip:=10.0.0.1",
         inQuotes(left));
   }
   for (const std::string_view name : {left, right}) {
     if (isName(name)) continue;
     return fmt::format(
-        "{} in {} is no name of a topic, service or action; allowed: letters, digits, _ and /, a letter, "
-        "/ or ~ first",
+        "{} in {} is not a valid name of a topic, service or action; allowed: letters, digits, _ and /, "
+        "starting with a letter, / or ~",
         inQuotes(name), inQuotes(fmt::format("{}{}{}", left, kBetween, right)));
   }
   return std::nullopt;

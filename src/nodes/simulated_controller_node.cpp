@@ -14,7 +14,7 @@ using cobot_command::runtime::SimulatorError;
 namespace ros_adapter = cobot_command::ros_adapter;
 
 const cobot_command::nodes::NodeDescription kNode{
-    "simulated_controller_node", "A simulated TM controller with its arm, and its operator's services.",
+    "simulated_controller_node", "A simulated TM controller with its arm and services for the operator.",
     "_script_port:=5890"};
 
 int serve(int argc, char** argv) {

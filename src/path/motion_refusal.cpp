@@ -31,7 +31,8 @@ int errorIdOf(motion::Refusal::Reason reason) {
 }
 
 std::string textOfFeedrate(double feedrate) {
-  return feedrate == 1.0 ? "" : fmt::format("; that is so at the feedrate of {:.6g} %", kPercent * feedrate);
+  return feedrate == 1.0 ? ""
+                         : fmt::format("; this applies to the feedrate of {:.6g} %", kPercent * feedrate);
 }
 
 }  // namespace cobot_command::path

@@ -25,8 +25,8 @@ std::optional<PathRefusal> checkIndices(const PathSection& section) {
       (starts_inside && count > size - start)) {
     return PathRefusal{
         path_error::kMovesExceedArray, -1, -1,
-        fmt::format("{} moves from point {} on, of a path of {} points; allowed: 1 to as many as "
-                    "there are from there on, of at most {} points: choose fewer moves, or an earlier start",
+        fmt::format("{} moves from point {} on, of a path of {} points; allowed: 1 to the number of points "
+                    "from there on, in a path of at most {} points: choose fewer moves, or an earlier start",
                     count, start, section.points.size(), kMostPoints)};
   }
   if (!starts_inside) {

@@ -76,7 +76,7 @@ class PointWriter {
       tell(fmt::format("profile {} with a jerk of {} %", nameOf(point_.point.profile_type), jerk));
     }
     if (dynamics().acceleration != dynamics().deceleration) {
-      tell(fmt::format("deceleration {} beside acceleration {}", dynamics().deceleration,
+      tell(fmt::format("deceleration {} with acceleration {}", dynamics().deceleration,
                        dynamics().acceleration));
     }
   }
@@ -84,15 +84,15 @@ class PointWriter {
   /// [ms]
   [[nodiscard]] int ramp() {
     if (speed() < dynamics().speed * point_.feedrate) {
-      tell(fmt::format("a speed of {:.6g}, as more than {} ms to top speed cannot be said", speed(),
+      tell(fmt::format("a speed of {:.6g}, because a script allows at most {} ms to top speed", speed(),
                        kLongestRamp));
     }
     const double exact = 1e3 * speed() / acceleration();
     const double whole = std::ceil(exact * (1.0 - kWholeNumber));
     if (whole < kShortestRamp) {
-      tell(fmt::format("{:.6g} ms to top speed, at least {} can be said", exact, kShortestRamp));
+      tell(fmt::format("{:.6g} ms to top speed, a script allows at least {}", exact, kShortestRamp));
     } else if (std::abs(exact - whole) > kWholeNumber * exact) {
-      tell(fmt::format("{:.6g} ms to top speed, whole ones can be said", exact));
+      tell(fmt::format("{:.6g} ms to top speed, a script allows only whole numbers", exact));
     }
     return static_cast<int>(std::clamp(whole, 1.0 * kShortestRamp, 1.0 * kLongestRamp));
   }
@@ -101,7 +101,7 @@ class PointWriter {
   [[nodiscard]] int whole(double exact, double most, const char* unit) {
     const double below = std::clamp(std::floor(exact * (1.0 + kWholeNumber)), 1.0, most);
     if (std::abs(exact - below) > kWholeNumber * std::max(1.0, exact)) {
-      tell(fmt::format("{:.6g} {}, whole ones up to {} can be said", exact, unit, most));
+      tell(fmt::format("{:.6g} {}, a script allows whole numbers up to {}", exact, unit, most));
     }
     return static_cast<int>(below);
   }
@@ -135,7 +135,7 @@ class PointWriter {
     const double share = 100.0 * toSeconds(leftBefore()) / std::max(toSeconds(most), 1e-9);
     const int percent = static_cast<int>(std::clamp(std::floor(share), 1.0, 100.0));
     tell(fmt::format("a tolerance of {} {}, sent as {} % of the ramps", point_.point.command_tolerance,
-                     is(point_.point.interpolation, Interpolation::Ptp) ? "% of the way" : "mm", percent));
+                     is(point_.point.interpolation, Interpolation::Ptp) ? "% of the path" : "mm", percent));
     return percent;
   }
 
@@ -254,10 +254,9 @@ Result<std::vector<PointScript>, PathRefusal> scriptOf(const PathPlan& plan, std
   for (std::size_t i = first; i < plan.points().size(); ++i) {
     const PlannedPoint& point = plan.points()[i];
     if (is(point.point.interpolation, Interpolation::Wrist)) {
-      return refuse(
-          PathRefusal{path_error::kNotInAScript, point.index, -1,
-                      "CP_WRIST: no motion of a script goes straight with the wrist by itself; let it "
-                      "be sent as PVT"});
+      return refuse(PathRefusal{
+          path_error::kNotInAScript, point.index, -1,
+          "CP_WRIST: no script motion moves straight with the wrist alone; send the path as PVT"});
     }
     const PlannedPoint* next = i + 1 < plan.points().size() ? &plan.points()[i + 1] : nullptr;
     PointScript script = PointWriter(point, next, scene).write();

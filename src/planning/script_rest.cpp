@@ -155,13 +155,13 @@ std::optional<std::string> whyNotResumable(const PlannedLines& lines) {
   const bool with_motions = std::any_of(commands.begin(), commands.end(), moves);
   for (const ScriptCommand& command : commands) {
     if (mayBeResumed(command, with_motions)) continue;
-    return fmt::format("{} cannot be taken up again on its way", script::toText(command));
+    return fmt::format("{} cannot be resumed on its path", script::toText(command));
   }
   const auto motions = std::count_if(commands.begin(), commands.end(), moves);
-  if (static_cast<std::size_t>(motions) != lines.motions.size()) return "nobody has planned its way";
+  if (static_cast<std::size_t>(motions) != lines.motions.size()) return "its path was not planned";
   const bool needs_frames = std::any_of(commands.begin(), commands.end(), needsFrames);
   if (needs_frames && !(lines.start.base && lines.start.tcp)) {
-    return "its base or TCP is one of the project whose value is not known";
+    return "its base or TCP is defined in the project, and its value is unknown";
   }
   return std::nullopt;
 }

@@ -127,8 +127,7 @@ std::string described(const StatusFrame& frame) {
     case StatusMode::ReadJson:
       return say("JSON items asked", shortened(frame.content));
   }
-  return fmt::format("item frame {} of mode {} with content that means nothing", shortened(frame.id),
-                     frame.mode);
+  return fmt::format("item frame {} of mode {} with invalid content", shortened(frame.id), frame.mode);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ Result<Items, MessageFault> stringItems(std::string_view content, Wanted wanted)
 
 Result<Items, MessageFault> jsonItems(std::string_view content, Wanted wanted) {
   const auto json = parseJson(content);
-  if (!json || !json->is_array()) return fault("the content is no array of JSON, or too deep");
+  if (!json || !json->is_array()) return fault("the content is not a JSON array, or is nested too deeply");
   if (json->size() > kMaxRequestedItems) return tooMany();
   Items items;
   for (const JsonTree& element : *json) {

@@ -30,7 +30,7 @@ std::optional<TooMuch> Burden::tooMuchFor(const arm::ArmModel& arm, const Active
   std::string carried;
   if (tool) carried = fmt::format("the active tool{} has {} kg", name, *tool);
   if (load_.mass) carried += fmt::format("{}its load (ChangeLoad) {} kg", tool ? ", " : "", *load_.mass);
-  return TooMuch{fmt::format("{}, {} carries {} kg", carried, arm.name(), payload), payload};
+  return TooMuch{fmt::format("{}, the payload of {} is {} kg", carried, arm.name(), payload), payload};
 }
 
 }  // namespace cobot_command::robot

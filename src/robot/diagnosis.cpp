@@ -21,21 +21,20 @@ std::string diagnose(const link::ScriptLink& link, const RobotWatch& robot) {
   } else if (robot.paused()) {
     add("the project is paused: motions wait until it is resumed");
   } else if (robot.held()) {
-    add("a safeguard holds the robot: motions wait until it is released");
+    add("a safeguard stops the robot: motions wait until it is released");
   }
   return text;
 }
 
 std::string whatIsUnseen(const RobotWatch& robot) {
   if (!robot.status()) {
-    return "no status stream shows the robot: motions are sent unplanned and unchecked, and are done by "
-           "their "
-           "queue tags alone";
+    return "no status stream shows the robot: motions are sent unplanned and unchecked, and only their queue "
+           "tags report that they are done";
   }
   const auto missing = link::missingForReady(*robot.status());
   if (missing.empty()) return "";
-  const char* motions = !robot.tellsMotion() ? ", so motions are done by their queue tags alone"
-                        : !robot.joints()    ? ", so nobody sees where motions end"
+  const char* motions = !robot.tellsMotion() ? ", so only their queue tags report that motions are done"
+                        : !robot.joints()    ? ", so the end positions of motions are not confirmed"
                                              : "";
   return fmt::format("the status stream does not have {}{}", namesOf(missing), motions);
 }

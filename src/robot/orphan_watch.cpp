@@ -23,14 +23,14 @@ void OrphanWatch::see(const RobotWatch& robot) {
 }
 
 const char* OrphanWatch::text() const {
-  if (state_ == OrphanState::Moving) return "the robot moves, and no goal of this layer asked for it";
+  if (state_ == OrphanState::Moving) return "the robot moves, and no goal of this layer requested it";
   if (state_ == OrphanState::Held) {
-    return "the robot is held, by a pause or a safeguard, and what was queued before this connection may go "
-           "on";
+    return "the robot is paused or stopped by a safeguard, and motions queued before this connection may "
+           "continue";
   }
   if (state_ == OrphanState::Unseen) {
-    return "the robot moved when it was last seen, and no goal of this layer asked for it: the status stream "
-           "has to show it standing, or a stop to be executed";
+    return "the robot moved when it was last seen, and no goal of this layer requested it: the status stream "
+           "must show it at standstill, or a stop must be executed";
   }
   return "";
 }

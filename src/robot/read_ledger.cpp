@@ -49,7 +49,7 @@ bool ReadLedger::take(const protocol::ListenData& data) {
 
 void ReadLedger::store(const protocol::ListenData& data) {
   if (values_.size() == script_.reads.size()) {
-    broken_ = {Kind::Mixed, {}, fmt::format("TMSTA {} came behind the last answer", data.channel)};
+    broken_ = {Kind::Mixed, {}, fmt::format("TMSTA {} arrived after the last answer", data.channel)};
     return;
   }
   const script::AttributeRead& read = script_.reads[values_.size()];
@@ -58,7 +58,7 @@ void ReadLedger::store(const protocol::ListenData& data) {
     broken_ = {
         Kind::Mixed,
         {},
-        fmt::format("TMSTA {} came where {} was awaited for {}", data.channel, awaited, describe(read))};
+        fmt::format("TMSTA {} arrived where {} was expected for {}", data.channel, awaited, describe(read))};
     return;
   }
   const auto numbers = protocol::parseFloats(data.payload, numbersOf(read.attribute));
@@ -79,13 +79,13 @@ std::optional<ReadOutcome> ReadLedger::take(const link::ScriptAnswered& answered
                    return end(refuse(ReadFailure{Kind::NotTaken, {}, protocol::describe(error)}));
                  },
                  [&](const link::NoReply&) {
-                   return end(refuse(ReadFailure{Kind::NoAnswer, {}, "no reply to the script that reads"}));
+                   return end(refuse(ReadFailure{Kind::NoAnswer, {}, "no reply to the read script"}));
                  }},
       answered.answer);
 }
 
 ReadFailure ReadLedger::failureOf(const protocol::ScriptReply& reply) const {
-  ReadFailure failure{Kind::Refused, {}, "the controller refuses the script that reads, and no line of it"};
+  ReadFailure failure{Kind::Refused, {}, "the controller refuses the read script, but no line of it"};
   for (const int line : reply.lines) {
     if (line == script::kFirstReadLine - 1) {
       return {Kind::NoListenSend,
@@ -109,7 +109,7 @@ ReadOutcome ReadLedger::collected() {
   if (values_.size() == script_.reads.size()) return std::move(values_);
   const auto missing = static_cast<std::ptrdiff_t>(values_.size());
   std::vector<script::AttributeRead> reads(script_.reads.begin() + missing, script_.reads.end());
-  std::string reason = fmt::format("the script that reads was done, but nothing came for {}", list(reads));
+  std::string reason = fmt::format("the read script was done, but no data arrived for {}", list(reads));
   return refuse(ReadFailure{Kind::Incomplete, std::move(reads), std::move(reason)});
 }
 
@@ -120,7 +120,7 @@ ReadOutcome ReadLedger::end(ReadOutcome outcome) {
 
 std::optional<ReadOutcome> ReadLedger::advance(Instant now) {
   if (!waiting() || now < deadline_) return std::nullopt;
-  return end(refuse(ReadFailure{Kind::NoAnswer, {}, "no reply in time to the script that reads"}));
+  return end(refuse(ReadFailure{Kind::NoAnswer, {}, "no reply in time to the read script"}));
 }
 
 std::optional<ReadOutcome> ReadLedger::lost(const std::string& reason) {

@@ -45,7 +45,7 @@ std::optional<arm::JointVector> RobotWatch::joints() const {
 }
 
 std::string RobotWatch::whyNoJoints() const {
-  if (!status_) return "no status stream tells where the robot is";
+  if (!status_) return "no status stream shows where the robot is";
   return status_->joints ? "" : link::lackOf("Joint_Angle");
 }
 

@@ -23,12 +23,13 @@ std::string StrangerWatch::text() const {
   std::string text;
   if (tag_) {
     text = fmt::format(
-        "another client commands this controller: tag {} was reported, which was not given out here", *tag_);
+        "another client commands this controller: tag {} was reported, which this node did not assign",
+        *tag_);
   }
   if (moves_) {
     text += fmt::format(
-        "{}the robot moves though nothing of this layer is under way: another client, the project, "
-        "the pendant or a hand moves it",
+        "{}the robot moves though no command of this node is running: another client, the project, the "
+        "pendant or a person moves it",
         text.empty() ? "" : "; ");
   }
   return text;

@@ -88,7 +88,7 @@ class Notebook final : public tm_script::Environment {
     }
     if (!std::all_of(arguments.begin(), arguments.end(),
                      [](const Value& value) { return isFinite(value); })) {
-      return tm_script::CallFailure{"an argument is no finite number"};
+      return tm_script::CallFailure{"an argument is not a finite number"};
     }
     const ScriptCommand& command = commands_.emplace_back(commandOf(function, arguments));
     if (std::holds_alternative<ScriptExit>(command)) return tm_script::EndScript{Scalar(true)};

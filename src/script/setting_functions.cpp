@@ -16,7 +16,7 @@ namespace {
 std::optional<std::string> badName(const KnownArguments& arguments) {
   const auto* name = arguments[0] ? std::get_if<std::string>(&*arguments[0]) : nullptr;
   if (name == nullptr || isName(*name)) return std::nullopt;
-  return fmt::format("\"{}\" is no name: one has 1 to {} bytes of UTF-8 without control characters",
+  return fmt::format("\"{}\" is not a name: a name has 1 to {} bytes of UTF-8 without control characters",
                      foreignText(*name, kQuoteLimit), kMaxNameLength);
 }
 

@@ -75,7 +75,7 @@ Read eitherOr(Words& words, const char* yes, const char* no) {
   const std::string word = words.next();
   if (word == yes) return Action{true};
   if (word == no) return Action{false};
-  return refuse(fmt::format("{}: say {} or {}", quoted(word), yes, no));
+  return refuse(fmt::format("{}: give {} or {}", quoted(word), yes, no));
 }
 
 Read readSpeed(Words& words) {
@@ -150,7 +150,7 @@ Result<SetFault, std::string> faultIn(Words& words) {
   if (count.empty()) return order;
   const auto number = toInt(count);
   if (!number) {
-    return refuse(fmt::format("{}: give a count, 0 for until it is turned off; or off", quoted(count)));
+    return refuse(fmt::format("{}: give a count, or 0 for no limit; or off", quoted(count)));
   }
   order.count = *number;
   const std::string value = words.rest();
@@ -181,25 +181,27 @@ constexpr Command kCommands[] = {
     {"run", "", "run the project", plain<RunProject>},
     {"stop", "", "stop the project", plain<StopProject>},
     {"pause", "", "pause the project", plain<PauseProject>},
-    {"resume", "", "let it go on", plain<ResumeProject>},
-    {"leave", "", "let the flow leave the Listen node", plain<LeaveListenNode>},
-    {"enter", "", "let it come back", plain<EnterListenNode>},
-    {"estop", "press|release", "the emergency stop",
+    {"resume", "", "resume the project", plain<ResumeProject>},
+    {"leave", "", "make the flow leave the Listen node", plain<LeaveListenNode>},
+    {"enter", "", "make the flow enter the Listen node again", plain<EnterListenNode>},
+    {"estop", "press|release", "press or release the emergency stop",
      [](Words& words) { return eitherOr<SetEmergencyStop>(words, "press", "release"); }},
-    {"safeguard", "open|close", "the safeguard",
+    {"safeguard", "open|close", "open or close the safeguard",
      [](Words& words) { return eitherOr<SetSafeguard>(words, "open", "close"); }},
-    {"manual", "", "manual mode", [](Words&) -> Read { return SetOperatingMode{OperatingMode::Manual}; }},
-    {"auto", "", "automatic mode", [](Words&) -> Read { return SetOperatingMode{OperatingMode::Automatic}; }},
-    {"speed", "PERCENT", "the project speed, 5 to 100 in steps of 5", readSpeed},
-    {"error", "CODE [TEXT]", "let the robot fail", readError},
+    {"manual", "", "switch to manual mode",
+     [](Words&) -> Read { return SetOperatingMode{OperatingMode::Manual}; }},
+    {"auto", "", "switch to automatic mode",
+     [](Words&) -> Read { return SetOperatingMode{OperatingMode::Automatic}; }},
+    {"speed", "PERCENT", "set the project speed, 5 to 100 in steps of 5", readSpeed},
+    {"error", "CODE [TEXT]", "raise a robot error", readError},
     {"clear", "", "clear the robot error", plain<ClearError>},
     {"input", "MODULE N 0|1", "set an input of ControlBox or EndModule", readInput},
     {"set_tcp", "NAME=x,y,z,rx,ry,rz", "change a TCP of the project, as the pendant does", readFrame<SetTcp>},
-    {"set_base", "NAME=x,y,z,rx,ry,rz", "change a base of it", readFrame<SetBase>},
-    {"set_load", "NAME=kg[,ixx,iyy,izz[,x,y,z,rx,ry,rz]]", "change what a TCP weighs", readLoad},
-    {"drop_connections", "", "drop all clients", plain<DropConnections>},
+    {"set_base", "NAME=x,y,z,rx,ry,rz", "change a base of the project", readFrame<SetBase>},
+    {"set_load", "NAME=kg[,ixx,iyy,izz[,x,y,z,rx,ry,rz]]", "change the payload of a TCP", readLoad},
+    {"drop_connections", "", "disconnect all clients", plain<DropConnections>},
     {"fault", "NAME [COUNT [VALUE]]", "turn a fault on: until it is turned off, or COUNT times", readFault},
-    {"fault", "NAME off", "turn it off", readFault},
+    {"fault", "NAME off", "turn this fault off", readFault},
     {"no_faults", "", "turn all faults off", plain<ClearFaults>},
 };
 
@@ -222,7 +224,7 @@ Read read(const std::string& name, Words& words) {
   if (!action) return action;
   const std::string left = words.rest();
   if (!left.empty()) {
-    return refuse(fmt::format("{} takes no {}: help lists the arguments", name, quoted(left)));
+    return refuse(fmt::format("{} does not accept {}: help lists the arguments", name, quoted(left)));
   }
   return action;
 }
@@ -233,7 +235,7 @@ Result<SetFault, std::string> parseFault(const std::string& text) {
   Words words(text);
   auto order = faultIn(words);
   const std::string left = words.rest();
-  if (order && !left.empty()) return refuse(fmt::format("there is a {} too much", quoted(left)));
+  if (order && !left.empty()) return refuse(fmt::format("{} is an unexpected argument", quoted(left)));
   return order;
 }
 

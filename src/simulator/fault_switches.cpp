@@ -60,10 +60,10 @@ Complaint checkItems(SetFault& order) {
   bool any = false;
   for (std::string name; names >> name; any = true) {
     if (!isItem(name)) {
-      return fmt::format("there is no item {}; names stand with blanks between them", quoted(name));
+      return fmt::format("there is no item {}; separate the names with blanks", quoted(name));
     }
   }
-  if (!any) return std::string("give the names of the items, with blanks between them");
+  if (!any) return std::string("give the names of the items, separated by blanks");
   return checkUncounted(order);
 }
 
@@ -87,32 +87,33 @@ constexpr Row kRows[] = {
      "a script is neither executed nor answered"},
     {"cperr_script", &FaultSwitches::cperr_script, checkCode, "code 00, 01, 02, 03, 04 or F1 (04)",
      "a script gets this CPERR and is not executed"},
-    {"wrong_id", &FaultSwitches::wrong_id, nothing, "", "the reply to a script carries the id of no script"},
+    {"wrong_id", &FaultSwitches::wrong_id, nothing, "", "the reply to a script has an id that no script has"},
     {"refuse_stop", &FaultSwitches::refuse_stop, nothing, "",
      "a script with StopAndClearBuffer gets ERROR with that line and is not executed"},
     {"ignore_stop", &FaultSwitches::ignore_stop, nothing, "", "StopAndClearBuffer gets OK and stops nothing"},
     {"refuse_listen_send", &FaultSwitches::refuse_listen_send, nothing, "",
      "a script with ListenSend gets ERROR with those lines and is not executed"},
     {"false_tag", &FaultSwitches::false_tag, nothing, "",
-     "a tag is reported, and answered, false though its motions were made"},
+     "a tag is reported, and answered, as false although its motions were executed"},
     {"early_tag", &FaultSwitches::early_tag, nothing, "",
-     "a tag is reported true when it is queued, before the OK of its script, and not when it is reached"},
+     "a tag is reported as true when it is queued, before the OK of its script, and not when it is reached"},
     {"stale_tag", &FaultSwitches::stale_tag, nothing, "",
-     "tags that StopAndClearBuffer drops are reported true with the next motion (tmr_ros2 #15)"},
-    {"query_none", &FaultSwitches::query_none, nothing, "", "a question for a tag is answered none"},
-    {"query_false", &FaultSwitches::query_false, nothing, "", "a question for a tag is answered false"},
+     "tags that StopAndClearBuffer drops are reported as true with the next motion (tmr_ros2 #15)"},
+    {"query_none", &FaultSwitches::query_none, nothing, "", "a query of a tag is answered none"},
+    {"query_false", &FaultSwitches::query_false, nothing, "", "a query of a tag is answered false"},
     {"silence", &FaultSwitches::silence, checkUncounted, "",
-     "the script port hears nothing and says nothing; its connections stay, the arm goes on"},
+     "the script port receives nothing and sends nothing; its connections stay open, the arm continues"},
     {"close_on_connect", &FaultSwitches::close_on_connect, nothing, "",
      "a new connection to the script port is closed at once"},
     {"refuse_connections", &FaultSwitches::refuse_connections, checkUncounted, "",
-     "the script port is closed though the project runs"},
+     "the script port is closed although the project runs"},
     {"impostor", &FaultSwitches::impostor, checkGreeting, "the greeting (SSH-2.0-OpenSSH_8.9)",
-     "a new connection to the script port gets this line, and no answer ever"},
-    {"hide_items", &FaultSwitches::hide_items, checkItems, "names of items with blanks between",
+     "a new connection to the script port gets this line and nothing else"},
+    {"hide_items", &FaultSwitches::hide_items, checkItems, "names of items, separated by blanks",
      "the status port does not have these items"},
     {"pvt_linear", &FaultSwitches::pvt_linear, checkUncounted, "",
-     "the arm goes straight and evenly between the points of a PVT that begins, not on cubics"},
+     "between the points of a PVT that starts while this is on, the arm moves on straight lines at constant "
+     "speed, not on cubics"},
 };
 
 struct MessageRow {
@@ -124,7 +125,8 @@ struct MessageRow {
 };
 constexpr MessageRow kMessageRows[] = {
     {"drop", &MessageFaults::drop, nothing, "", "{} is not sent"},
-    {"delay", &MessageFaults::delay, checkDelay, "seconds", "{} is sent so much later; others overtake it"},
+    {"delay", &MessageFaults::delay, checkDelay, "seconds",
+     "{} is sent later by this time; later messages overtake it"},
     {"duplicate", &MessageFaults::duplicate, nothing, "", "{} is sent twice"},
     {"corrupt", &MessageFaults::corrupt, nothing, "", "{} is sent with a wrong checksum"},
 };
@@ -189,8 +191,7 @@ OperatorReply set(FaultSwitches& faults, const SetFault& order) {
     return {true, order.name + " is off"};
   }
   if (order.count < 0) {
-    return {false, fmt::format("{} {} times: give 0 for until it is turned off, or how often", order.name,
-                               order.count)};
+    return {false, fmt::format("{} {} times: give 0 for no limit, or a number", order.name, order.count)};
   }
   SetFault filled = order;
   if (const Complaint complaint = found->check(filled)) return {false, *complaint};

@@ -71,8 +71,8 @@ OperatorReply OperatorDesk::act(const PauseProject&) {
 OperatorReply OperatorDesk::act(const ResumeProject&) {
   if (!parts_.node.projectRuns()) return notDone(kNoProject);
   parts_.queue.resume(now_);
-  return done(safeguard_ ? "the project goes on, but the open safeguard holds the arm"
-                         : "the project goes on");
+  return done(safeguard_ ? "the project continues, but the open safeguard stops the arm"
+                         : "the project continues");
 }
 
 OperatorReply OperatorDesk::act(const LeaveListenNode&) {
@@ -89,7 +89,7 @@ OperatorReply OperatorDesk::act(const EnterListenNode&) {
   settle_();
   return done(parts_.node.listening()
                   ? "the flow is in the Listen node"
-                  : "the flow comes back to the Listen node when the queued motions are done");
+                  : "the flow returns to the Listen node when the queued motions are done");
 }
 
 OperatorReply OperatorDesk::act(const SetEmergencyStop& action) {
@@ -136,7 +136,7 @@ OperatorReply OperatorDesk::act(const RaiseError& action) {
 
 OperatorReply OperatorDesk::act(const ClearError&) {
   parts_.queue.clearError();
-  return done("the robot is in no error");
+  return done("the robot has no error");
 }
 
 OperatorReply OperatorDesk::act(const SetInput& action) {
@@ -163,7 +163,7 @@ OperatorReply OperatorDesk::act(const ClearFaults&) {
 OperatorReply OperatorDesk::act(const DropConnections&) {
   parts_.node.closeConnections();
   parts_.status.closeAll();
-  return done("all connections are dropped");
+  return done("all clients are disconnected");
 }
 
 }  // namespace cobot_command::simulator

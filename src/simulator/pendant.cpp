@@ -24,7 +24,7 @@ Complaint objectionTo(const Map& map, const char* what, const std::string& name)
     return fmt::format("the project has no {} {}; it has {}", what, quoted(name), namesOf(map));
   }
   if (!found->second.is_fixed) return std::nullopt;
-  return fmt::format("the {} {} is fixed: it can only be read", what, quoted(name));
+  return fmt::format("the {} {} is fixed and cannot be changed", what, quoted(name));
 }
 
 // The comparisons are written so that NaN is refused as well.

@@ -18,7 +18,7 @@ std::optional<SettingFault> faultInVariables(const Settings& settings, tm_script
   for (const std::string& declaration : settings.variables) {
     const auto fault = [&](const std::string& reason) {
       return SettingFault{"variables", fmt::format("holds {}: {}", quoted(declaration), reason),
-                          "declarations of variables, such as int var_i = 5, each with a name of its own"};
+                          "declarations of variables, such as int var_i = 5, each with its own name"};
     };
     const auto name = declare(variables, declaration);
     if (!name) return fault(name.error());
@@ -30,7 +30,7 @@ std::optional<SettingFault> faultInVariables(const Settings& settings, tm_script
 std::optional<SettingFault> faultInPosture(const arm::JointVector& posture, const arm::ArmModel& arm,
                                            const std::string& setting, const std::string& whose) {
   const SettingFault fault{setting, "", "postures of " + arm.name()};
-  if (!posture.allFinite()) return SettingFault{setting, whose + "no finite angles", fault.allowed};
+  if (!posture.allFinite()) return SettingFault{setting, whose + "angles that are not finite", fault.allowed};
   const int outside = arm.firstJointOutsideLimits(posture);
   if (outside < 0) return std::nullopt;
   const auto joint = static_cast<std::size_t>(outside);
@@ -73,7 +73,7 @@ std::optional<SettingFault> faultIn(const Settings& settings) {
     return SettingFault{
         "stream_items",
         fmt::format("names {}, which is neither an item nor one of the variables", quoted(name)),
-        "items of doc/simulator.md, and names out of variables"};
+        "items of doc/simulator.md, and names of variables"};
   }
   return std::nullopt;
 }

@@ -169,12 +169,12 @@ SettingKind streamItems(std::vector<std::string>& names) {
     return found;
   };
   return written<std::vector<std::string>>(
-      names, "names with commas between", read,
+      names, "names, separated by commas", read,
       [](const std::vector<std::string>&) { return std::string("see the status port"); });
 }
 
 SettingKind writeClients(WriteClients& clients) {
-  return written<WriteClients>(clients, "all, none, or addresses such as 192.168.1.7 with commas between",
+  return written<WriteClients>(clients, "all, none, or addresses such as 192.168.1.7, separated by commas",
                                parseWriteClients, [](const WriteClients& shown) {
                                  return shown ? fmt::format("{}", fmt::join(*shown, ","))
                                               : std::string("all");
@@ -184,27 +184,28 @@ SettingKind writeClients(WriteClients& clients) {
 SettingTable projectTable(Settings& s) {
   return {
       {"project_running", flag(s.project_running), "the project runs at the start"},
-      {"project_name", text(s.project_name, name(kLongestName)), "an item of the status port"},
-      {"project_speed", projectSpeed(s.project_speed_percent), "slows every motion"},
+      {"project_name", text(s.project_name, name(kLongestName)),
+       "name of the project; an item of the status port"},
+      {"project_speed", projectSpeed(s.project_speed_percent), "project speed; slows every motion"},
       {"project_speed_live", flag(s.project_speed_live),
-       "a change of the project speed counts for the motion that is under way, too"},
+       "a change of the project speed also applies to the running motion"},
       {"start_posture_deg", posture(s.start_posture), "posture at the start, within the limits of the model"},
-      {"start_tcp", frame(s.start_tcp), "TCP that is active when the project begins, in the flange"},
+      {"start_tcp", frame(s.start_tcp), "TCP that is active when the project starts, relative to the flange"},
       {"listen_node", text(s.listen_node_message, name(kLongestName)), "entry message of the Listen node"},
       {"connection_timeout", seconds(s.connection_timeout, 0, kLongestWait),
-       "the Listen node is left when nobody connects for so long; 0: never"},
+       "the Listen node is left if no client connects for this time; 0: never"},
       {"data_timeout", seconds(s.data_timeout, 0, kLongestWait),
-       "the Listen node is left when clients send nothing for so long; 0: never"},
+       "the Listen node is left if no client sends anything for this time; 0: never"},
       {"reentry_delay", secondsOrNever(s.reentry_delay, 0, kLongestWait),
-       "from leaving the Listen node until it is entered again"},
-      {"tmflow_version", version(s.tmflow_version),
-       "decides which functions scripts have, and which items there are"},
-      {"bases", poses(s.bases, script::kRobotBase), "bases of the project, besides RobotBase", "base"},
-      {"tcps", poses(s.tcps, script::kNoTool), "TCPs of the project, besides NOTOOL and HandCamera", "tcp"},
+       "time between leaving the Listen node and entering it again"},
+      {"tmflow_version", version(s.tmflow_version), "determines the available functions and items"},
+      {"bases", poses(s.bases, script::kRobotBase), "bases of the project, in addition to RobotBase", "base"},
+      {"tcps", poses(s.tcps, script::kNoTool), "TCPs of the project, in addition to NOTOOL and HandCamera",
+       "tcp"},
       {"points", postures(s.points), "points of the project, within the limits of the model", "point"},
       {"variables", declarations(s.variables),
-       "variables of the project, as `int var_i = 5`: scripts see them all, the status port those that are "
-       "in the stream; one whose name begins with g_ outlives the project",
+       "variables of the project, as `int var_i = 5`: scripts can use all of them, the status port those in "
+       "the stream; a variable whose name begins with g_ keeps its value when the project ends",
        "variable"},
   };
 }
@@ -214,34 +215,37 @@ SettingTable controllerTable(Settings& s) {
                                           {"stop_project", MotionErrorPolicy::StopProject}};
   return {
       {"stop_time", seconds(s.stop_time, 0, kLongestStopTime),
-       "from full motion to rest, on the path, by a pause or a stop, and back"},
+       "time to slow down from full speed to standstill on the path at a pause or stop, and to speed up "
+       "again"},
       {"pvt_lag", seconds(s.pvt_lag, 0, kLongestLag),
-       "by which the arm follows a PVT late; it comes to the same end, with its tags"},
+       "delay of the arm during a PVT; the reported end and tags are not delayed"},
       {"safeguard_resets_itself", flag(s.safeguard_resets_itself),
-       "the arm goes on when the safeguard is closed; else the project is paused then"},
+       "true: the arm continues when the safeguard is closed; false: the project is then paused"},
       {"on_motion_error", choice(s.on_motion_error, policies),
-       "what the project does when a motion cannot be made"},
+       "reaction of the project to a motion that cannot be executed"},
       {"checks_payload", flag(s.checks_payload),
-       "a motion fails when tool and load are more than the model carries", "any-payload"},
+       "a motion fails if tool and load are heavier than the payload of the model", "any-payload"},
       {"accept_zero_ramp", flag(s.accept_zero_ramp),
-       "a time to top speed of 0 is the shortest ramp that the arm allows; else such a motion fails"},
+       "true: a time to top speed of 0 means the shortest ramp of the arm; false: such a motion fails"},
       {"safety_limits", safetyLimits(s.safety_limits),
-       "of joints, as Safety_Joint_Angle_Min and Safety_Joint_Angle_Max tell them; of others those of the "
-       "model",
+       "joint limits that Safety_Joint_Angle_Min and Safety_Joint_Angle_Max report; for other joints the "
+       "limits of the model",
        "safety-limit"},
       {"turn_speed", realIn(s.turn_speed, 1, 3600, "deg/s", radToDeg(1)),
-       "of the TCP at 100 % on lines and circles; as in the command node, whose plans are wrong otherwise"},
+       "rotation speed of the TCP at 100 % on lines and circles; must be the same in the command node, "
+       "otherwise the plans of the command node are wrong"},
       {"joint_noise", realIn(s.joint_noise, 0, 10, "deg", radToDeg(1)),
-       "standard deviation of the joint angles that the robot tells"},
-      {"speed_noise", realIn(s.speed_noise, 0, 100, "deg/s", radToDeg(1)), "of the speeds"},
-      {"torque_noise", real(s.torque_noise, 0, 1000, "Nm"), "of the torques"},
-      {"force_noise", real(s.force_noise, 0, 1000, "N"), "of the forces"},
-      {"noise_seed", whole(s.noise_seed, 0, 1000000), "the same seed gives the same noise on every run"},
+       "standard deviation of the reported joint angles"},
+      {"speed_noise", realIn(s.speed_noise, 0, 100, "deg/s", radToDeg(1)),
+       "standard deviation of the reported speeds"},
+      {"torque_noise", real(s.torque_noise, 0, 1000, "Nm"), "standard deviation of the reported torques"},
+      {"force_noise", real(s.force_noise, 0, 1000, "N"), "standard deviation of the reported forces"},
+      {"noise_seed", whole(s.noise_seed, 0, 1000000), "the same seed gives the same noise in every run"},
       {"velocity_licence", flag(s.velocity_licence),
-       "there are the functions of continuous velocities (ContinueVJog, ContinueVLine), which need a "
-       "licence"},
+       "the functions of continuous velocities (ContinueVJog, ContinueVLine), which require a licence, are "
+       "available"},
       {"accept_empty_length", flag(s.accept_empty_length),
-       "frames without a length are taken, as some bridges send them"},
+       "frames without a length are accepted; some bridges send them"},
   };
 }
 
@@ -250,16 +254,17 @@ SettingTable statusPortTable(Settings& s) {
   const Words<ItemFormat> formats{
       {"binary", ItemFormat::Binary}, {"string", ItemFormat::String}, {"json", ItemFormat::Json}};
   return {
-      {"status_period", seconds(s.status_period, 0.001, 1), "of the status stream"},
-      {"stream_format", choice(s.stream_format, formats), "of the status stream"},
-      {"stream_items", streamItems(s.stream_items), "items and variables in the status stream, in its order"},
-      {"write_clients", writeClients(s.write_clients), "who may write items"},
+      {"status_period", seconds(s.status_period, 0.001, 1), "period of the status stream"},
+      {"stream_format", choice(s.stream_format, formats), "format of the status stream"},
+      {"stream_items", streamItems(s.stream_items),
+       "items and variables of the status stream, in this order"},
+      {"write_clients", writeClients(s.write_clients), "clients that can write items"},
   };
 }
 
 SettingTable faultTable(Settings& s) {
   return {
-      {"faults", switches(s.faults), "faults of the world that are on from the start", "fault"},
+      {"faults", switches(s.faults), "faults that are on from the start", "fault"},
   };
 }
 

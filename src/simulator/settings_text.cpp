@@ -67,12 +67,12 @@ Result<NamedNumbers, std::string> parseNamedNumbers(const std::string& text) {
   const std::size_t sign = text.find('=');
   if (sign == std::string::npos) return refused("there is no =");
   std::string name = text.substr(0, sign);
-  if (!isName(name)) return refused("before = there is no name without quotes and blanks around it");
+  if (!isName(name)) return refused("the text before = is not a name without quotes and surrounding blanks");
   const auto value = protocol::parseValue(protocol::ItemFormat::String, '{' + text.substr(sign + 1) + '}',
                                           std::vector<double>());
   std::array<double, 6> numbers{};
   if (!value || protocol::elementCount(*value) != numbers.size()) {
-    return refused("behind = there are no six numbers");
+    return refused("the text after = is not six numbers");
   }
   const auto& found = std::get<std::vector<double>>(*value);
   // Written so that NaN is refused as well.
@@ -92,7 +92,7 @@ Result<WriteClients, std::string> parseWriteClients(const std::string& text) {
   const std::vector<std::string> names = parseNames(text);
   for (const std::string& name : names) {
     const auto address = addressIn(name);
-    if (!address) return refuse(fmt::format("names {}, which is no address", quoted(name)));
+    if (!address) return refuse(fmt::format("names {}, which is not an address", quoted(name)));
     clients->insert(*address);
   }
   if (names.empty()) return refuse(std::string("names no address"));

@@ -35,7 +35,7 @@ void SimulatedController::Impl::on(const SetAutoRemote& remote) {
 
 void SimulatedController::Impl::on(const SetVariable& variable) {
   if (!project_.variables.set(variable.name, toLanguage(variable.value))) {
-    outbox_.log("no room for " + variable.name);
+    outbox_.log("no space for " + variable.name);
   }
 }
 

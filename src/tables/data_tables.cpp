@@ -69,7 +69,7 @@ Result<arm::Pose, Gap> DataTables::frameInRobotBase(int index) const {
   const auto reference = frameInRobotBase(frame->reference);  // which refers to none
   if (!reference) {
     Gap gap = reference.error();
-    gap.found = fmt::format("frame {} stands in another: {}", index, gap.found);
+    gap.found = fmt::format("frame {} refers to another: {}", index, gap.found);
     return refuse(std::move(gap));
   }
   return arm::Pose(*reference * *pose);

@@ -75,7 +75,7 @@ std::optional<Refusal> EntryCheck::pose(const char* what, const arm::Pose& pose)
   const double farthest = pose.translation().cwiseAbs().maxCoeff();
   if (farthest <= mmToM(arm::kMaxCoordinate)) return std::nullopt;
   return refused(table_error::kCoordinateRange, fmt::format("{} is {} mm away", what, mToMm(farthest)),
-                 kSixNumbers, "Give coordinates that an arm could mean");
+                 kSixNumbers, "Give coordinates in that range");
 }
 
 std::optional<Refusal> EntryCheck::tool() const {
@@ -106,14 +106,14 @@ std::optional<Refusal> EntryCheck::reference(const Frame& frame) const {
   };
   if (!isIndex(frame.reference)) return invalid(fmt::format("its reference is {}", frame.reference));
   if (frame.reference == index_) return invalid("it refers to itself");
-  if (!frame.pose) return invalid("it has only a name, and bases of a project stand in the robot base");
+  if (!frame.pose) return invalid("it has only a name, and bases of a project are defined in the robot base");
   const std::optional<Frame>& reference = at(all_.frames, frame.reference);
   if (!reference) return invalid(fmt::format("its reference, frame {}, is not configured", frame.reference));
   if (reference->reference == 0) return std::nullopt;
   return refused(
       table_error::kReferenceRefers,
       fmt::format("its reference, frame {}, refers to frame {}", frame.reference, reference->reference),
-      "a reference that refers to none", "Refer to a frame that stands in the robot base");
+      "a reference that refers to none", "Refer to a frame that is defined in the robot base");
 }
 
 /// Not from the other side either: frames that are refused because of what this one is now.
@@ -129,7 +129,7 @@ std::optional<Refusal> EntryCheck::referringFrames() const {
                      "one level of reference", fmt::format("Write frame {} first", other));
     }
     return refused(table_error::kReferenceInvalid, fmt::format("frame {} refers to it", other),
-                   "to empty what no frame refers to", fmt::format("Write frame {} first", other));
+                   "to empty a frame to which no frame refers", fmt::format("Write frame {} first", other));
   }
   return std::nullopt;
 }
@@ -160,7 +160,7 @@ std::optional<Refusal> EntryCheck::toolsThatWeighIt() const {
     const std::optional<Tool>& tool = at(all_.tools, other);
     if (!tool || tool->load != index_) continue;
     return refused(table_error::kLoadIndex, fmt::format("tool {} has this load", other),
-                   "to empty what no tool has", fmt::format("Write tool {} first", other));
+                   "to empty a load that no tool has", fmt::format("Write tool {} first", other));
   }
   return std::nullopt;
 }

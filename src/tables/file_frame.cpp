@@ -29,8 +29,8 @@ Words wordsOf(std::string_view line) {
 
 std::string cut(const std::string& found, std::size_t entries) {
   return fmt::format(
-      "{}: the file is cut. Bring it back from a copy; or, if its entries ({}) are all that there should be, "
-      "let \"{} {}\" be its last line",
+      "{}: the file is truncated. Restore it from a copy; or, if its entries ({}) are complete, make \"{} "
+      "{}\" its last line",
       found, entries, kLastLine, entries);
 }
 
@@ -43,10 +43,12 @@ bool FileFrame::isPart(std::string_view line) {
 
 std::optional<std::string> FileFrame::take(std::string_view line) {
   const Words words = wordsOf(line);
-  if (has_end_) return fmt::format("nothing but comments stands after the line \"{}\"", kLastLine);
+  if (has_end_) return fmt::format("only comments may follow the line \"{}\"", kLastLine);
   if (words.first == kLastLine) return takeEnd(words.rest);
-  if (!words.rest.empty()) return fmt::format("after \"{}\" stands nothing", kFirstLine);
-  if (has_begin_ || entries_ > 0) return fmt::format("\"{}\" stands once, before all entries", kFirstLine);
+  if (!words.rest.empty()) return fmt::format("nothing may follow \"{}\" in its line", kFirstLine);
+  if (has_begin_ || entries_ > 0) {
+    return fmt::format("\"{}\" must occur once, before all entries", kFirstLine);
+  }
   has_begin_ = true;
   return std::nullopt;
 }
@@ -55,10 +57,10 @@ std::optional<std::string> FileFrame::takeEnd(std::string_view number) {
   std::size_t count = 0;
   const auto read = std::from_chars(number.data(), number.data() + number.size(), count);
   if (read.ec != std::errc() || read.ptr != number.data() + number.size()) {
-    return fmt::format("after \"{}\" stands the number of the entries, here {}", kLastLine, entries_);
+    return fmt::format("\"{}\" must be followed by the number of the entries, here {}", kLastLine, entries_);
   }
   if (count != entries_) {
-    return cut(fmt::format("there are not so many entries before it, but {}", entries_), entries_);
+    return cut(fmt::format("the number of entries before it is not this, but {}", entries_), entries_);
   }
   has_end_ = true;
   return std::nullopt;
@@ -66,7 +68,7 @@ std::optional<std::string> FileFrame::takeEnd(std::string_view number) {
 
 std::optional<std::string> FileFrame::takeEntry() {
   if (has_end_) {
-    return fmt::format("entries stand before the line \"{}\", which has their number", kLastLine);
+    return fmt::format("entries must be before the line \"{}\", which has their number", kLastLine);
   }
   ++entries_;
   return std::nullopt;

@@ -72,7 +72,7 @@ std::optional<std::string> Reading::fillPlaced(Kind kind, Table<Entry>& table, i
 std::optional<std::string> Reading::fillLoad(const EntryText& text) {
   constexpr std::size_t kAll = 10;
   if (text.name) return "a load has no name, only numbers";
-  if (text.refers_to) return "a load refers to nothing: there is no @ in it";
+  if (text.refers_to) return "a load cannot refer to another entry: remove the @";
   if (text.numbers.size() != 1 && text.numbers.size() != kAll) {
     return fmt::format(
         "there are {} numbers; a load has its mass in kg, or ten: kg, Ixx,Iyy,Izz in kg mm^2, "

@@ -59,7 +59,7 @@ class Scanner {
 
 bool Scanner::whole(int& value, const char* what) {
   const auto read = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
-  if (read.ec != std::errc()) return fails(fmt::format("here stands {}, a whole number", what));
+  if (read.ec != std::errc()) return fails(fmt::format("expected {}, a whole number", what));
   at_ = static_cast<std::size_t>(read.ptr - text_.data());
   return true;
 }
@@ -67,7 +67,7 @@ bool Scanner::whole(int& value, const char* what) {
 bool Scanner::number(double& value) {
   if (at_ < text_.size() && text_[at_] == '+') ++at_;
   const auto read = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
-  if (read.ec != std::errc()) return fails("here stands a number");
+  if (read.ec != std::errc()) return fails("expected a number");
   at_ = static_cast<std::size_t>(read.ptr - text_.data());
   skipBlanks();
   return true;
@@ -81,7 +81,7 @@ bool Scanner::quoted(std::string& name) {
     }
     name += text_[at_];
   }
-  return fails("the quotes of the name have no end");
+  return fails("the quotes of the name are not closed");
 }
 
 bool Scanner::name(std::string& name) {
@@ -91,11 +91,11 @@ bool Scanner::name(std::string& name) {
   std::size_t last = at_;
   while (last > begin && isOneOf(text_[last - 1], " \t")) --last;
   name = text_.substr(begin, last - begin);
-  return !name.empty() || fails("here stands a name, or a number");
+  return !name.empty() || fails("expected a name or a number");
 }
 
 bool Scanner::value(EntryText& entry) {
-  if (ends()) return fails("here stands what the entry is: a name, or numbers, or both with : between them");
+  if (ends()) return fails("expected a name, numbers, or both with : between them");
   if (!isOneOf(text_[at_], kBeginOfNumber)) {
     entry.name.emplace();
     if (!name(*entry.name)) return false;
@@ -110,15 +110,15 @@ bool Scanner::value(EntryText& entry) {
 bool Scanner::parts(EntryText& entry) {
   skipBlanks();
   if (!whole(entry.index, "the number of the entry")) return false;
-  if (!takes('=')) return fails("behind the number of the entry stands =");
+  if (!takes('=')) return fails("expected = after the number of the entry");
   if (!value(entry)) return false;
-  if (takes('@') && !whole(entry.refers_to.emplace(), "behind @ what is referred to")) return false;
+  if (takes('@') && !whole(entry.refers_to.emplace(), "the number after @")) return false;
   skipBlanks();
   if (ends()) return true;
   return fails(entry.name && entry.numbers.empty()
-                   ? "behind a name stands : or @ or nothing; a name with one "
-                     "of :,@#= in it, or that begins like a number, stands in \""
-                   : "here the entry should end");
+                   ? "expected : or @ or nothing after a name; a name that has one of :,@#= in it, or that "
+                     "begins like a number, must be in \""
+                   : "expected the end of the entry");
 }
 
 Result<EntryText, std::string> Scanner::entry() {

@@ -78,7 +78,7 @@ std::optional<Refusal> TableStore::inUse(Kind kind, int index) const {
                  kind,
                  index,
                  fmt::format("{} uses it", foreignText(*user, kQuoteLimit)),
-                 "to write what nobody uses",
+                 "to write an entry that is not in use",
                  "Wait until it is done, or cancel it"};
 }
 

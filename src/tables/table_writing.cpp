@@ -79,9 +79,8 @@ TableLists toLists(const DataTables& tables) {
 std::string toFile(const DataTables& tables) {
   const TableLists lists = toLists(tables);
   std::string text =
-      "# Tools, frames and loads of cobot_command, see doc/tables.md. Written anew when one of them "
-      "changes:\n"
-      "# comments other than these are not kept. The last line has the number of the entries.\n";
+      "# Tools, frames and loads of cobot_command, see doc/tables.md. Rewritten when one of them changes:\n# "
+      "comments other than these are not kept. The last line has the number of the entries.\n";
   std::size_t count = 0;
   const auto add = [&](Kind kind, const std::vector<std::string>& list) {
     for (const std::string& entry : list) text += fmt::format("{} {}\n", toString(kind), entry);

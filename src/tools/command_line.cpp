@@ -53,8 +53,8 @@ void checkFlag(const std::string& name, const std::string& value) {
   bool is_on = false;
   const SettingKind kind = setting_kinds::flag(is_on);
   if (const auto found = kind.take(givenBy({value}, kind.form))) {
-    throw CLI::ValidationError(
-        name, describe(SettingFault{name, *found, allowedBy(kind)}) + ", behind =; or the name alone: true");
+    throw CLI::ValidationError(name, describe(SettingFault{name, *found, allowedBy(kind)}) +
+                                         "; give it after =, or the name alone for true");
   }
 }
 
@@ -94,8 +94,8 @@ Words::const_iterator unknownOptionIn(const Words& left) {
 std::string tellLeft(const CLI::App& app, const Words& left) {
   const auto unknown = unknownOptionIn(left);
   if (unknown == left.end()) {
-    return "nothing takes " + inQuotes(left.front()) +
-           ": it stands behind no option that wants it; a value with blanks needs quotes";
+    return "unexpected argument " + inQuotes(left.front()) +
+           ": no option before it takes it; a value with blanks needs quotes";
   }
   Words known;
   for (const CLI::App* level : levelsOf(app)) {
@@ -114,7 +114,7 @@ std::string tellMismatch(const CLI::App& app, const std::string& told) {
   if (option->count() > 1) {
     return name + ": is given " + std::to_string(option->count()) + " times; allowed: once";
   }
-  return name + ": has no value behind it; it takes: " + option->get_description();
+  return name + ": has no value; it takes: " + option->get_description();
 }
 
 std::string tell(const CLI::App* app, const CLI::Error& error) {
@@ -124,7 +124,7 @@ std::string tell(const CLI::App* app, const CLI::Error& error) {
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) text = tellMismatch(*app, text);
   // What the library says has the words as they were given.
   const std::string program = app->get_name().empty() ? "" : app->get_name() + ": ";
-  return program + foreignText(text, kLongestFault) + "\nRun with --help for all that is allowed.\n";
+  return program + foreignText(text, kLongestFault) + "\nRun with --help to see what is allowed.\n";
 }
 
 bool hasSubcommands(const CLI::App& app) {

@@ -20,7 +20,7 @@ namespace cobot_command::tools {
         const char* const end = text.data() + text.size();
         const auto read = std::from_chars(text.data(), end, number);
         if (read.ec != std::errc() || read.ptr != end || number < least || number > most) {
-          return text + " is no whole number from " + range;
+          return text + " is not a whole number from " + range;
         }
         text = std::to_string(number);
         return {};

@@ -91,7 +91,7 @@ class Reading(BagTestCase):
         self.assertEqual(len(bag_reader.read(self.file, "/robot_1").goals), 1)
 
     def test_refuses_a_bag_without_joint_states(self):
-        self.assert_refused("has no joint_states: the status stream was not there", lambda maker: maker.question(0))
+        self.assert_refused("has no joint_states: the status stream was missing", lambda maker: maker.question(0))
 
     def test_refuses_a_bag_without_frames(self):
         self.assert_refused("has no topic frames; it has joint_states", lambda maker: maker.joints(0))
@@ -116,7 +116,7 @@ class Reading(BagTestCase):
 
     def test_refuses_an_empty_bag(self):
         rosbag.Bag(str(self.file), "w").close()
-        with self.assertRaisesRegex(RunError, "holds no messages"):
+        with self.assertRaisesRegex(RunError, "has no messages"):
             bag_reader.read(self.file)
 
 
@@ -149,7 +149,7 @@ class Wholeness(BagTestCase):
 
         run = self.made(fill)
         self.assertEqual(wholeness.faults(run), [])
-        for words, said in zip(("before the recorder heard", "could not read", "script 7 .* has no reply", "no limits"), wholeness.remarks(run)):
+        for words, said in zip(("before the recorder was connected", "could not read", "script 7 .* has no reply", "no limits"), wholeness.remarks(run)):
             self.assertRegex(said, words)
 
     def test_link_breaks_are_where_the_connection_ends(self):

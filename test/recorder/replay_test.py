@@ -52,7 +52,7 @@ class DecoderReplay(BagTestCase):
     def test_what_was_damaged_on_the_wire_stays_so(self):
         def fill(maker):
             maker.receive(1, b"$TMSTA,2,00,*42\r\n", "not understood: checksum is 42, expected 41")
-            maker.receive(2, encoded("TMSCT", "5,OK"), "script 5 accepted (nobody waits for it)")
+            maker.receive(2, encoded("TMSCT", "5,OK"), "script 5 accepted (no request waits for it)")
 
         self.assertEqual(self.verdict(fill).differences, [])
 
@@ -132,7 +132,7 @@ class SimulatorReplay(BagTestCase):
 
     def test_tells_options_that_the_simulator_does_not_take(self):
         from flight.run import RunError
-        with self.assertRaisesRegex(RunError, "does not take"):
+        with self.assertRaisesRegex(RunError, "does not accept"):
             self.verdict(write_short_run, options=["--no-such-option"])
 
     def test_takes_the_version_that_is_next(self):
@@ -162,7 +162,7 @@ class Program(BagTestCase):
         self.made(lambda maker: write_short_run(maker, "ERROR;1"))
         done = self.run_it("--only", "simulator")
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
-        self.assertRegex(done.stdout, r"0\.301 s  reply to script 1\n +recorded: TMSCT 1,ERROR;1\n +came: TMSCT 1,OK\n")
+        self.assertRegex(done.stdout, r"0\.301 s  reply to script 1\n +recorded: TMSCT 1,ERROR;1\n +received: TMSCT 1,OK\n")
         self.assertNotIn("decoder", done.stdout)
 
     def test_ends_with_2_when_the_bag_cannot_be_used(self):

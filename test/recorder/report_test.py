@@ -187,7 +187,7 @@ class Report(BagTestCase):
         done = subprocess.run([sys.executable, PROGRAM, self.file, "--folder", folder, "--programs", self.file.parent],
                               capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertIn("there is no", done.stdout)
+        self.assertIn("does not exist", done.stdout)
         self.assertIn("--no-replay draws without", done.stdout)
         self.assertTrue((folder / "report.png").is_file())
 

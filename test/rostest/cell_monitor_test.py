@@ -143,7 +143,7 @@ class CellMonitor(OutcomeTestCase):
         self.assertTrue(stands.breached)
         refused = call("/cell/reset_monitor", Trigger)
         self.assertFalse(refused.success, refused.message)
-        self.assertIn("while its cause lasts", refused.message)
+        self.assertIn("while the cause persists", refused.message)
         self.assert_diagnosed(DiagnosticStatus.ERROR)
         self.drive_apart_and_reset()
         self.distances.wait_for(lambda m: not m.alarmed and not m.pairs[0].breached, "the end of the alarm")
@@ -158,7 +158,7 @@ class CellMonitor(OutcomeTestCase):
         self.distances.wait_for(lambda m: m.pairs[0].uncertainty > 0, "both in motion")
         self.nodes["RA"].end(signal.SIGKILL)
         alarmed = self.distances.wait_for(lambda m: m.alarmed, "the alarm")
-        self.assertIn("RA moved when it was heard last", alarmed.text)
+        self.assertIn("RA moved in its last report", alarmed.text)
         self.assertEqual(moved["RB"].finish()[0], GoalStatus.PREEMPTED)
         refused = call("/cell/reset_monitor", Trigger)
         self.assertFalse(refused.success, refused.message)
@@ -193,7 +193,7 @@ class CellMonitor(OutcomeTestCase):
         self.distances.wait_for(lambda m: m.pairs[0].uncertainty > 0 and pallet.position > 0.05, "a pallet on its way")
         pallet.end()
         alarmed = self.distances.wait_for(lambda m: m.alarmed, "the alarm")
-        self.assertIn("PALLET moved when it was heard last", alarmed.text)
+        self.assertIn("PALLET moved in its last report", alarmed.text)
         self.assertEqual(wrist.finish()[0], GoalStatus.PREEMPTED)
 
     def test_takes_a_robot_for_carrying_what_it_has_at_its_place_while_the_supervisor_tells_it(self):
@@ -207,7 +207,7 @@ class CellMonitor(OutcomeTestCase):
         self.assert_carried("nothing")
         supervisor.end()
         self.distances.wait_for(lambda m: m.pairs[0].now < with_sheet + 0.001, "the distance with the sheet")
-        self.assert_carried("all that it may carry, as nobody can tell")
+        self.assert_carried("all parts it can carry, because the actual parts are unknown")
 
     def test_only_warns_where_it_is_told_to(self):
         self.start_monitor(mode="warn")
@@ -223,7 +223,7 @@ class CellMonitor(OutcomeTestCase):
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)
         self.start_monitor(cell_file=path, artifact="")
-        self.distances.wait_for(lambda m: "RA was not heard" in m.text, "a robot that is not there")
+        self.distances.wait_for(lambda m: "RA has not reported" in m.text, "a robot that is not there")
         # As its command node would, if it had a seat in the cell.
         reporter = Process("rostopic", "pub", "-r", "10", "/cell/reports",
                            "cobot_command/CellReport", "{robot: RA}", "__ns:=/RA", "__name:=reporter",
@@ -288,7 +288,7 @@ class CellMonitor(OutcomeTestCase):
         for changes, words in (({"cell_file": "handover.yaml"}, "an absolute path"),
                                ({"cell_file": "/nowhere.yaml"}, "/nowhere.yaml cannot be read"),
                                ({"cell_file": cell_file("iris")}, "another cell than ~cell_file"),
-                               ({"stop_distance": 0.05}, "may be no more than the margin")):
+                               ({"stop_distance": 0.05}, "must be at most the margin")):
             with self.subTest(words=words):
                 self.start_monitor(**changes)
                 self.assertEqual(self.monitor.wait(), 2)

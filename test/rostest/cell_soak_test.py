@@ -103,8 +103,8 @@ class CellSoak(CellTestCase):
             if answer.success:
                 self.recoveries += 1
                 return
-            # "by its joints it may be at P, W>1"
-            words = answer.message.split("it may be at ")
+            # "by its joints it can be at P, W>1"
+            words = answer.message.split("it can be at ")
             places += words[1].split(", ") if len(words) > 1 and len(places) < 20 else []
 
     # --- What it takes of the machine.

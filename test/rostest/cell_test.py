@@ -51,7 +51,7 @@ class Cell(CellTestCase):
             self.assert_done(sent[name].finish())
         self.state.wait_for(lambda m: all(z.state == CellZone.FREE for z in m.zones) and
                             all(r.place == "HOME" for r in m.robots), "all at home")
-        self.assert_rejected(self.send_run(RunCellGoal(cycles=1)).finish(), NOT_READY, "finishes")
+        self.assert_rejected(self.send_run(RunCellGoal(cycles=1)).finish(), NOT_READY, "is finishing")
 
     # --- Goals that cannot be.
     def test_refuses_runs_that_cannot_be_and_says_why(self):
@@ -60,7 +60,7 @@ class Cell(CellTestCase):
             with self.subTest(words=words):
                 self.assert_rejected(self.send_run(goal).finish(), error_id, words)
         first = self.send_run(RunCellGoal(cycles=0)).wait_until_active()
-        self.assert_rejected(self.send_run(RunCellGoal(cycles=1)).finish(), NOT_READY, "under way")
+        self.assert_rejected(self.send_run(RunCellGoal(cycles=1)).finish(), NOT_READY, "another run_cell is running")
         first.cancel()
         first.finish()
         self.assert_granted(self.ask("hold", True))
@@ -132,7 +132,7 @@ class Cell(CellTestCase):
         second = self.start(program("cell_supervisor"), "__ns:=cell", "__name:=second",
                             f"_artifact:={self.artifact}", f"_journal:={self.journal}.other")
         self.assertEqual(second.wait(), 2)
-        self.assertIn("a supervisor serves /cell/hold already", second.output())
+        self.assertIn("another supervisor provides /cell/hold already", second.output())
         self.assert_granted(self.ask("hold", True))
         self.wait_for_mode(CellState.HOLDING)
 
@@ -145,7 +145,7 @@ class Cell(CellTestCase):
         self.state.forget()
         self.start_supervisor()
         self.assertEqual(self.state.wait_for(lambda m: m.mode == CellState.RUNNING, "the cell, running").epoch, epoch + 1)
-        self.assert_aborted(self.send_run(RunCellGoal(cycles=1)).finish(), NOT_READY, "runs a program already")
+        self.assert_aborted(self.send_run(RunCellGoal(cycles=1)).finish(), NOT_READY, "already runs a program")
         for name in NAMES:
             self.assert_done(sent[name].finish())
 
@@ -181,11 +181,11 @@ class Cell(CellTestCase):
         distances = rospy.Publisher("/cell/distances", CellDistances, queue_size=1, latch=True)
         sent = self.send_run(RunCellGoal(cycles=0)).wait_until_active()
         distances.publish(CellDistances(pairs=[CellDistance(robot="RA", other="RB", known=True, now=0.5)]))
-        self.state.wait_for(lambda m: "the monitor is silent" in m.diagnosis, "that it is silent")
+        self.state.wait_for(lambda m: "the monitor publishes nothing" in m.diagnosis, "that it is silent")
         sent.cancel()
         self.assertEqual(sent.finish()[1].least_distance, -1.0)
         distances.publish(CellDistances())
-        self.state.wait_for(lambda m: "silent" not in m.diagnosis, "that it was heard again")
+        self.state.wait_for(lambda m: "publishes nothing" not in m.diagnosis, "that it was heard again")
         distances.unregister()
 
     def test_reports_that_nobody_could_mean_are_counted_and_change_nothing(self):
@@ -197,7 +197,7 @@ class Cell(CellTestCase):
         for bad in (CellReport(robot="RA", session=known.session, number=2 ** 60, joints=[float("nan")] * 6),
                     CellReport(robot="x" * 10000, session=1, number=1), CellReport(robot="RX", session=1, number=1)):
             reports.publish(bad)
-        wait_until(lambda: any("nothing that a robot" in s.message for m in diagnosed for s in m.status), "the diagnosis")
+        wait_until(lambda: any("malformed or of unknown robots" in s.message for m in diagnosed for s in m.status), "the diagnosis")
         self.assertEqual(robot_in(self.wait_for_mode(CellState.READY), "RA").state, CellRobot.READY)
         self.assert_done(self.send_run(RunCellGoal(cycles=1)).finish())
 

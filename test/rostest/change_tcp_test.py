@@ -52,7 +52,7 @@ class ChangeTcp(MotionTestCase):
     def test_is_named_in_the_overload_that_follows_and_a_lighter_tool_leads_out(self):
         self.assert_done(self.robot.run(tcp(weight=14)))
         failed = self.robot.run(relative(0, 0, 20))
-        self.assert_aborted(failed, 0x222, "the active tool has 14 kg, tm5-900 carries 4 kg")
+        self.assert_aborted(failed, 0x222, "the active tool has 14 kg, the payload of tm5-900 is 4 kg")
         self.assertIn("Execute stop, then change_tcp", failed[1].remedy)
         refused = self.robot.run(tcp(weight=2))
         self.assert_rejected(refused, 0x222, "the active tool has 14 kg")

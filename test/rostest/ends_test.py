@@ -71,7 +71,7 @@ class AnEndThatIsAskedFor(EndsTestCase):
         self.assert_stops_on_its_way()
         self.assertEqual(planned.finish()[0], GoalStatus.RECALLED)
         self.assert_ended_by_the_node(sent)
-        self.assertEqual(command_node.output().count("the robot is not told to stop yet"), 0)
+        self.assertEqual(command_node.output().count("the robot is not stopped yet"), 0)
 
     def test_of_the_simulated_controller_ends_goals_and_the_next_one_is_found(self):
         for number in (*END_SIGNALS, signal.SIGKILL):
@@ -166,7 +166,7 @@ class WithoutAMaster(EndsTestCase):
     def test_the_node_does_not_wait_for_a_master_that_hangs(self):
         self.master.signal(signal.SIGSTOP)
         print(f"hanging master: gone after {self.assert_ends_orderly():.3f} s", flush=True)
-        self.assertIn("3 s were not enough for taking its topics, services and parameters back from the ROS master at "
+        self.assertIn("3 s were not enough for removing its topics, services and parameters from the ROS master at "
                       + self.master.uri, self.command_node.output())
 
 

@@ -105,13 +105,13 @@ class Examples(MotionTestCase):
 
     def test_jog_tells_why_the_arm_came_to_rest(self):
         output = self.run_client("jog.py", "--direction", "1", "--speed", "10", "--seconds", "1")
-        self.assertIn("no keep-alive came any more", output)
+        self.assertIn("no more keep-alives were received", output)
         self.robot.establish()
-        self.assertIn("5.00 deg: the increment was made", self.run_client("jog.py", "--deg", "5", closed=False))
+        self.assertIn("5.00 deg: the increment is complete", self.run_client("jog.py", "--deg", "5", closed=False))
 
     def test_interrupt_brings_the_robot_back_and_lets_its_motion_go_on(self):
         output = self.run_client("interrupt.py")
-        for words in ("interrupt: interrupted: move_relative", "the way back: done", "the motion that was interrupted: done", "beginning: done"):
+        for words in ("interrupt: interrupted: move_relative", "the return: done", "the interrupted motion: done", "back to the start: done"):
             self.assertIn(words, output)
         self.assert_stands_at(HOME, streamed=False)
 

@@ -112,7 +112,7 @@ class ExchangeConfiguration(CobotTestCase):
         frames = Frames()
         move = self.robot.start_slowly()
         self.robot.fault("silence")
-        self.assert_aborted(sent.finish(), 0x80A5, "does not stop by itself")
+        self.assert_aborted(sent.finish(), 0x80A5, "does not stop automatically")
         self.assertEqual(move.finish()[1].error_id, 0x99)
         self.assertTrue(frames.sent("StopAndClearBuffer"), frames.texts[-5:])
 

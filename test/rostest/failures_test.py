@@ -86,7 +86,7 @@ class Failures(CobotTestCase):
     def test_of_overdue_motions_that_the_controller_says_are_not_completed(self):
         self.robot.fault("drop_tag", count=1)
         self.robot.fault("query_false")  # also when it is asked again, as the first answer may come before a frame does
-        self.assert_aborted(self.robot.run(motions()[0]), 0x110, "stands")
+        self.assert_aborted(self.robot.run(motions()[0]), 0x110, "standstill")
 
     def test_of_overdue_motions_whose_tag_cannot_be_asked_for(self):
         for goal in all_motions():

@@ -199,8 +199,8 @@ class FollowJointTrajectory(MotionTestCase):
 
     # --- Refused.
     def test_refuses_joints_that_are_not_its_own(self):
-        for names, words in ((["joint_1", *NAMES[1:]], "joint_1 is no joint of this robot"), (NAMES[:5], "arm_wrist_3_joint is not named"),
-                             ([NAMES[1], *NAMES[1:]], "arm_shoulder_2_joint is named twice"), ([*NAMES, "finger"], "finger")):
+        for names, words in ((["joint_1", *NAMES[1:]], "joint_1 is not a joint of this robot"), (NAMES[:5], "arm_wrist_3_joint is missing"),
+                             ([NAMES[1], *NAMES[1:]], "arm_shoulder_2_joint is listed twice"), ([*NAMES, "finger"], "finger")):
             wanted = goal(*smooth())
             wanted.trajectory.joint_names = names
             self.assert_refused(0x2A1, wanted, words, Result.INVALID_JOINTS)
@@ -215,8 +215,8 @@ class FollowJointTrajectory(MotionTestCase):
         self.assert_refused(0x2A3, goal(point(0, 10, 0, 90, 0, 90, 0), point(2, *HOME)), "J1 is at 0.000 deg")
         self.assert_refused(0x2A0, goal(point(0, *HOME), point(0, 1, 0, 90, 0, 90, 0)), "point 1")
         self.assert_refused(0x2A0, goal(point(1, *HOME[:5])), "point 0")
-        self.assert_refused(0x203, goal(point(9, 0, 0, 170, 0, 90, 0)), "on the way to point 0")
-        self.assert_refused(0x204, goal(point(2, *HOME), point(2.2, 90, 0, 90, 0, 90, 0)), "on the way to point 1")
+        self.assert_refused(0x203, goal(point(9, 0, 0, 170, 0, 90, 0)), "on the path to point 0")
+        self.assert_refused(0x204, goal(point(2, *HOME), point(2.2, 90, 0, 90, 0, 90, 0)), "on the path to point 1")
         self.assert_refused(0x206, goal(point(20000, 1, 0, 90, 0, 90, 0)), "h")
         self.assert_stands_at(HOME)
 

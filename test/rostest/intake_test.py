@@ -44,14 +44,14 @@ class GoalsThatWaitForAFrame(OwnRobotTestCase):
         cancels.publish(GoalID(id="early"))
         statuses.wait_for_any(lambda m: any(s.goal_id.id == "early" for s in m.status_list), "the cancel")
         goals.publish(MoveRelativeActionGoal(goal_id=GoalID(id="early"), goal=relative(0, 0, 1)))
-        self.assert_says_why(results, "early", "cancelled by its id before it came")
+        self.assert_says_why(results, "early", "cancelled by its id before the goal was received")
 
         now = rospy.Time.now()
         cancels.publish(GoalID(id="marker", stamp=now))
         statuses.wait_for_any(lambda m: any(s.goal_id.id == "marker" for s in m.status_list), "the cancel")
         old = GoalID(id="old", stamp=now - rospy.Duration(1))
         goals.publish(MoveRelativeActionGoal(goal_id=old, goal=relative(0, 0, 1)))
-        self.assert_says_why(results, "old", "cancelled before it came: a cancel took away all goals")
+        self.assert_says_why(results, "old", "cancelled before the goal was received: an earlier cancel covers all goals")
 
     def assert_says_why(self, results, goal_id, words):
         result = results.wait_for_any(lambda m: m.status.goal_id.id == goal_id, "the result")
@@ -68,7 +68,7 @@ class GoalsThatWaitForAFrame(OwnRobotTestCase):
     def test_are_taken_away_by_finish_and_what_is_under_way_goes_on(self):
         sent = self.send_goals_that_wait()
         self.robot.finish(FinishRequest.MOVE)
-        self.assert_taken_away(sent, "what is under way was to be finished")
+        self.assert_taken_away(sent, "only the running command was to be finished")
         self.assertEqual(self.far.state(), GoalStatus.ACTIVE)
 
     def test_are_taken_away_by_the_cancel_of_what_is_under_way(self):

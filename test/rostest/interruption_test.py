@@ -83,7 +83,7 @@ class Interruptions(CobotTestCase):
         self.assert_aborted(sent.finish(), 0x99)
 
     def test_need_something_that_can_go_on(self):
-        self.assert_denied("interrupt", 0x233, "nothing is under way")
+        self.assert_denied("interrupt", 0x233, "no goal is running or queued")
         self.assert_denied("continue", 0x233, "nothing")
         self.assert_rejected(self.robot.run(way_back()), 0x233, "nothing")
         jogged = self.robot.start_slowly(step_of_joint(60, speed=5))

@@ -74,7 +74,7 @@ class Io(MotionTestCase):
     def test_begins_a_time_when_the_blended_motion_in_front_has_come_to_its_end(self):
         self.assert_done(self.robot.run(turn(10, 0, 0, 0, 0, 0, blending_enable=True, **MODERATELY)))
         waiting = self.robot.send(pause(0.2)).wait_until_queued()
-        self.assertIn("until the robot stands", waiting.feedback[0].text)
+        self.assertIn("until the robot is at standstill", waiting.feedback[0].text)
         self.assert_done(waiting.finish())
         self.assert_stands_at((10, *HOME[1:]))
         self.assert_done(self.robot.run(to_joints(*HOME)))
@@ -155,7 +155,7 @@ class Io(MotionTestCase):
     def test_refuses_what_there_is_not(self):
         self.assert_refuses([
             (output(4), 0x255, "output 4"), (output(module="Gripper"), 0x255, "'Gripper'"),
-            (analog(1, module="EndModule"), 0x255, "there is 0 of ControlBox"), (output(0, 2), 0x262, "value is 2"),
+            (analog(1, module="EndModule"), 0x255, "allowed: 0 of ControlBox"), (output(0, 2), 0x262, "value is 2"),
             (analog(10.5), 0x262, "10.5 V"), (output(kind=2), 0x262, "kind is 2"), (wait_for(16), 0x263, "input 16"),
             (wait_for(timeout=-1), 0x264, "-1 s"), (pause(-1), 0x8D34, "-1 s"), (pause(86401), 0x8D34, "86401 s"),
             (ChangeLoadGoal(weight=14.1), 0x261, "14.1"),

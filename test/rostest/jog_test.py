@@ -103,7 +103,7 @@ class Jog(CobotTestCase):
         result = self.assert_done(self.robot.run(held(JogGoal.AXES, 2)))
         holder.kill()
         self.assertEqual((result.ended_by, result.joint), (JogResult.JOINT_LIMIT, 3), result.why)
-        self.assertIn("the other way", result.why)
+        self.assertIn("in the other direction", result.why)
         self.assertAlmostEqual(result.final_joints[2], 155, delta=0.1)
         self.assert_rejected(self.robot.run(held(JogGoal.AXES, 2)), 0x203, "J3")
 

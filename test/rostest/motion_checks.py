@@ -58,7 +58,7 @@ class MotionTestCase(CobotTestCase):
         sent = self.robot.start_slowly(goal)
         self.robot.operate("pause_project")
         held = sent.wait_for_feedback(lambda f: f.phase == f.HELD, "HELD")
-        self.assertIn("held", held.text)
+        self.assertIn("paused", held.text)
         told = len(sent.feedback)
         self.robot.operate("resume_project")
         sent.wait_for_feedback(lambda f: f.phase == f.ACTIVE, "ACTIVE again", told)

@@ -100,7 +100,7 @@ class MoveAbsolute(CobotTestCase):
             (to_joints(*HOME, **posed), 0x212, ""),
             *((ptp_to(*POSE[:2], v, *POSE[3:]), 0x213, "") for v in (-100000.1, 100000.1)),
             (ptp_to(*POSE, target_pose=pose_in("nowhere", (0, 0, 0), (1, 0, 0, 0))), 0x217, "nowhere"),
-            (ptp_to(*POSE, target_pose=pose_in("/base", (0, 0, 0), (1, 0, 0, 0))), 0x217, 'no / in front; is "base" meant?'),
+            (ptp_to(*POSE, target_pose=pose_in("/base", (0, 0, 0), (1, 0, 0, 0))), 0x217, 'no leading /; is "base" meant?'),
             *((ptp_to(*POSE, target_pose=pose_in("base", (0.4, 0.1, 0.5), (v, 0, 0, 0))), 0x218, "")
               for v in (0, 0.9989, 1.0011)),
             (to_joints(*HOME, target_pose=pose_in("base", (0.4, 0.1, 0.5), (1, 0, 0, 0))), 0x219, ""),

@@ -27,7 +27,7 @@ class ANameThatIsTaken(OutcomeTestCase):
                     process = Heard(program(kind), "__name:=starting", *PARAMETERS[kind], renaming)
                     self.addCleanup(process.clear_away)
                     self.assertEqual(process.wait(), 2, process.output())
-                    self.assertRegex(process.output(), f"{kind}: a name cannot be had as this node was started: .*, which this node calls '")
+                    self.assertRegex(process.output(), f"{kind}: a name of this node cannot be used: .*, named '")
 
     def test_of_the_same_type_is_no_fault(self):
         process = Heard(program("command_node"), "__name:=starting", "stop/cancel:=move_absolute/cancel", "status_frames:=frames", "foo:=joint_states")

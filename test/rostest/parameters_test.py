@@ -30,18 +30,18 @@ COMMAND_NODE = [
     ({"retry_min": 3.0}, "retry_min is 3 s, more than retry_max, which is 1 s"),
     ({"prefix": "/x"}, 'prefix is the text "/x"'),
     ({"prefix": ["a"]}, "prefix is a list of 1"),
-    ({"robot_ip": {"a": 1}}, "robot_ip is a namespace with parameters of its own"),
+    ({"robot_ip": {"a": 1}}, "robot_ip is a namespace with parameters"),
     ({"auto_connect": "yes"}, 'auto_connect is the text "yes"; allowed: true or false'),
 ]
 SIMULATED_CONTROLLER = [
     ({"publish_rate": float("inf")}, "publish_rate is inf"),
     ({"publish_rate": NAN}, "publish_rate is nan"),
-    ({"bind_address": "nowhere"}, 'bind_address is the text "nowhere"; allowed: an address of this machine in numbers'),
-    ({"bind_address": "192.0.2.1"}, "bind_address is to be an address of this machine"),
+    ({"bind_address": "nowhere"}, 'bind_address is the text "nowhere"; allowed: a numeric address of this machine'),
+    ({"bind_address": "192.0.2.1"}, "bind_address must be an address of this machine"),
     ({"prefix": "a b"}, 'prefix is the text "a b"'),
     ({"points": ["P=0,0,170,0,0,0"]}, 'points "P" has joint 3 at 170 deg, outside its limits'),
     ({"variables": ["int PTP"]}, 'variables holds "int PTP": PTP is a function'),
-    ({"write_clients": "999.1.1.1"}, 'write_clients names "999.1.1.1", which is no address'),
+    ({"write_clients": "999.1.1.1"}, 'write_clients names "999.1.1.1", which is not an address'),
     ({"bases": ["a=0,0,0,0,0,0", "a=0,0,0,0,0,0"]}, 'bases names "a" twice'),
     ({"start_posture_deg": [0, 0, 90, 0, 90]}, "start_posture_deg is a list of 5; allowed: a list of six joint angles"),
     ({"robot_model": ""}, "robot_model is empty, and there is no robot_description"),
@@ -89,7 +89,7 @@ class Parameters(unittest.TestCase):
                 self.assert_refused(run("simulated_controller_node", given), words)
 
     def test_that_are_no_description(self):
-        for description, words in ((7, "robot_description is 7"), ("", "robot_description is not usable")):
+        for description, words in ((7, "robot_description is 7"), ("", "robot_description cannot be used")):
             with self.subTest(words):
                 rospy.set_param(DESCRIPTION, description)
                 self.assert_refused(run("command_node", {}, namespace="/described/"),
@@ -125,7 +125,7 @@ class Parameters(unittest.TestCase):
         finally:
             process.terminate()
             output, _ = process.communicate(timeout=DEADLINE)
-        self.assertIn("parameter /tried/project_sped is none of this node's, and not used: did you mean project_speed?",
+        self.assertIn("parameter /tried/project_sped is not a parameter of this node and is ignored: did you mean project_speed?",
                       output)
 
 

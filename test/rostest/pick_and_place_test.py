@@ -85,7 +85,7 @@ class PickAndPlace(MotionTestCase):
         for after in (FinishRequest.MOVE, FinishRequest.CYCLE):
             answer = self.robot.try_to_finish(after)
             self.assertFalse(answer.success)
-            self.assertEqual(answer.message, "nothing is under way")
+            self.assertEqual(answer.message, "nothing is running")
 
     def test_leaves_the_listen_node_behind_the_last_step_of_the_last_cycle(self):
         leaving = turn_to(-15)

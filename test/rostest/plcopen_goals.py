@@ -12,9 +12,9 @@ from load_watch import first_at_or_after
 from motion_checks import AS_REPORTED
 from plcopen_status import QUEUED_BLOCKS
 
-LOOKED_UP = " while a frame or a file was looked up for it, or for one that was received before it"
-CANCELLED_EARLY = ("cancelled by its id before it came", "cancelled before it came",  # the action server says so
-                   "cancelled before its turn came")  # on its way to the core's thread
+LOOKED_UP = " while a frame or a file was looked up for this goal, or for one that was received earlier"
+CANCELLED_EARLY = ("cancelled by its id before the goal was received", "cancelled before the goal was received",  # the action server says so
+                   "cancelled before it was started")  # on its way to the core's thread
 TOO_MANY = {0x216, 1000}  # wait, for their turn or for frames and files
 MOVES = (MoveAbsoluteGoal, MoveRelativeGoal, MoveCircleGoal)
 # For the state of the layer or the robot, not for what the goal says.

@@ -73,13 +73,13 @@ class ACommandNodeThatWaitsForPorts(OutcomeTestCase):
     def test_ends_as_ever_and_blames_nobody(self):
         self.node.signal(signal.SIGINT)
         self.assertEqual(self.node.wait(), 0)
-        self.assertNotIn("has told no ports", self.node.output())
+        self.assertNotIn("published no ports", self.node.output())
 
     def test_says_what_it_was_at_when_its_master_hangs(self):
         self.master.signal(signal.SIGSTOP)
         self.node.signal(signal.SIGTERM)
         self.assertEqual(self.node.wait(), 0)
-        self.assertIn("3 s were not enough for starting, with what it asks the ROS master at " + self.master.uri,
+        self.assertIn("3 s were not enough for starting, with its requests to the ROS master at " + self.master.uri,
                       self.node.output())
 
 

@@ -81,7 +81,7 @@ class Synchronisation(CobotTestCase):
         sent = self.enable(ExchangeParCmd.NO_ENABLE, software_limits=True)
         told = sent.wait_for_feedback(lambda f: not f.out_cmd.data_in_sync.software_limits, "the difference")
         self.assertNotIn("software_limits", told.local_sets)
-        words = "J1 is kept between -170 and 165 deg"
+        words = "limit J1 to -170..165 deg"
         self.group.wait_for(lambda s: s.ri_state == GroupState.RI_INITIALIZED and words in s.out_of_sync, "the difference in words")
         said.wait_for(lambda d: any("Exchange" in s.name and s.level == 1 and words in s.message for s in d.status), "the diagnosis")
         self.assert_rejected(self.robot.run(to_joints(*HOME)), 0x8C06, words)
@@ -99,7 +99,7 @@ class Synchronisation(CobotTestCase):
         exchange = self.enable_at_home()
         busy = self.robot.start_slowly()
         self.end(exchange)
-        self.assertIn("exchange_configuration was disabled", busy.finish()[1].error_description)
+        self.assertIn("exchange_configuration, which motions require, was disabled", busy.finish()[1].error_description)
 
     def enable_at_home(self, **settings):
         self.robot.establish()

@@ -160,7 +160,7 @@ class TablesFile(TableTestCase):
         second = self.start(tables_file=self.file, loads=["1=1"])
         self.assertEqual(self.read("tool", 3).tool, GRIPPER)
         self.assertEqual(self.read("load", 1).load, HEAVY)
-        wait_until(lambda: "remove the file to begin with the parameters again" in second.output(), "the warning")
+        wait_until(lambda: "remove the file to use the parameters" in second.output(), "the warning")
         told = self.topic.wait_for(lambda m: m.tools, "the kept tables")
         self.assertEqual(told.frames, [TABLE, PALLET])
         self.assertEqual(os.listdir(self.folder), ["tables"])
@@ -181,7 +181,7 @@ class TablesFile(TableTestCase):
         cut = os.path.join(self.folder, "cut")
         with open(cut, "w", encoding="utf-8"):
             pass
-        for path, words in ((self.file, 'line 2, "tool 3=1,2,3": there are 3 numbers'), (cut, "the file is cut"),
+        for path, words in ((self.file, 'line 2, "tool 3=1,2,3": there are 3 numbers'), (cut, "the file is truncated"),
                             (os.path.join(self.folder, "no", "tables"), "cannot be written"), (self.folder, "folder")):
             with self.subTest(path):
                 rospy.set_param("/tried", {"robot_model": "tm5-900", "tables_file": path})

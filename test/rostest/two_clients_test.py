@@ -39,7 +39,7 @@ class TwoClients(CobotTestCase):
         self.assert_done(first.finish())
         self.robot.wait_for_standstill()
         self.assertGreater(math.degrees(self.robot.true_joints.message.position[0]), -39,
-                           "the robot was told to stop")
+                           "the robot was sent a stop command")
 
     def test_are_not_done_by_the_tag_of_who_has_stopped_them(self):
         first = self.robot.start_slowly(turn(60, 0, 0, 0, 0, 0, command_id=TAG, **SLOWLY))
@@ -96,7 +96,7 @@ class TwoClients(CobotTestCase):
 
     def test_notice_each_other(self):
         own = self.robot.send(turn(60, 0, 0, 0, 0, 0, command_id=TAG, **SLOWLY), OTHER)
-        self.robot.status.wait_for(lambda s: "nothing of this layer is under way" in s.diagnosis,
+        self.robot.status.wait_for(lambda s: "no command of this node is running" in s.diagnosis,
                                    "the motion of another")
         own.cancel()
         self.assert_ended(GoalStatus.PREEMPTED, own.finish())

@@ -120,11 +120,12 @@ TEST_F(Panel, tellsOfNoLossWhereItWasDisconnected) {
 TEST_F(Panel, saysWhetherTheRobotIsHeldOrGoesOn) {
   ASSERT_NO_FATAL_FAILURE(moveSlowly(100));
   at_panel.clickAlways("pause");
-  EXPECT_TRUE(holdsSoon([this] { return at_panel.textAlways("control_text") == "Pause: the robot is held"; }))
-      << at_panel.textAlways("control_text").toStdString();
+  EXPECT_TRUE(holdsSoon([this] {
+    return at_panel.textAlways("control_text") == "Pause: the robot is paused";
+  })) << at_panel.textAlways("control_text").toStdString();
   at_panel.clickAlways("resume");
   EXPECT_TRUE(holdsSoon([this] {
-    return at_panel.textAlways("control_text") == "Resume: the robot goes on";
+    return at_panel.textAlways("control_text") == "Resume: the robot continues";
   })) << at_panel.textAlways("control_text").toStdString();
   EXPECT_EQ(at_panel.outcome(60), "done");
   EXPECT_TRUE(holdsSoon([this] { return at_panel.textAlways("control_text").isEmpty(); })) << "not for ever";
@@ -140,7 +141,8 @@ TEST_F(Panel, countsThePointsOfAPathThatIsBrowsedFor) {
   ASSERT_NE(dialog, nullptr);
   EXPECT_FALSE(dialog->isModal()) << "STOP stays at hand";
   at_panel.clickStop();
-  EXPECT_TRUE(holdsSoon([this] { return at_panel.textAlways("stop_text") == "Stop: the robot stands"; }));
+  EXPECT_TRUE(
+      holdsSoon([this] { return at_panel.textAlways("stop_text") == "Stop: the robot is at standstill"; }));
   dialog->close();
   at_panel.click("preset");
 }

@@ -37,7 +37,7 @@ TEST_F(Panel, sendsNothingBehindAStopThatStillWaitedForItsNode) {
 TEST_F(Panel, showsTheRobotThatItCommandsWhateverWasTyped) {
   at_panel.chooseRobot("no name!");
   EXPECT_EQ(at_panel.robot(), "/");
-  EXPECT_TRUE(holdsSoon([this] { return at_panel.link() == "'no name!' is no namespace"; }));
+  EXPECT_TRUE(holdsSoon([this] { return at_panel.link() == "'no name!' is not a namespace"; }));
   at_panel.typeRobot("/third");
   at_panel.open("connect");
   at_panel.enter("timeout", 30);
@@ -76,7 +76,7 @@ TEST_F(Panel, saysThatANodeDoesNotAnswerAndTakesTheCommandBack) {
   ASSERT_NO_FATAL_FAILURE(signalTo(pid, "CONT"));
   EXPECT_TRUE(holdsSoon([this] { return !at_panel.textAlways("stop_text").contains("emergency stop"); }));
   EXPECT_TRUE(holdsSoon([this] { return at_panel.isLit("aborted"); }))
-      << "it answers again, and the command was taken back";
+      << "it answers again, and the command was withdrawn";
 }
 
 /// Of another robot, whose command node nobody needs, and which is started again.

@@ -37,8 +37,9 @@ TEST_F(Panel, showsTheRobotThatStopIsForAsSoonAsStopIsClicked) {
   at_panel.typeRobot(kOther);
   at_panel.clickStop();
   EXPECT_EQ(at_panel.robot(), "/");
-  EXPECT_TRUE(holdsSoon([this] { return at_panel.textAlways("stop_text") == "Stop: the robot stands"; }))
-      << at_panel.textAlways("stop_text").toStdString();
+  EXPECT_TRUE(holdsSoon([this] {
+    return at_panel.textAlways("stop_text") == "Stop: the robot is at standstill";
+  })) << at_panel.textAlways("stop_text").toStdString();
 }
 
 TEST_F(Panel, doesNothingForAnotherRobotWithAButtonThatWasPressedForTheOneBefore) {

@@ -35,11 +35,19 @@ link::LinkSettings CoreRig::noStatus() {
   return settings;
 }
 
-MoveAbsoluteGoal CoreRig::move() {
+MoveAbsoluteGoal CoreRig::move(BufferMode mode) {
   MoveAbsoluteGoal goal;
   goal.target = {417.5, -122.3, 343.9, 180, 0, 90};
   goal.speed = 10;
   goal.accel_time = 200;
+  goal.buffer_mode = static_cast<int>(mode);
+  return goal;
+}
+
+MoveAbsoluteGoal CoreRig::blended(double percent) {
+  MoveAbsoluteGoal goal = move();
+  goal.blending_enable = true;
+  goal.blending_value = percent;
   return goal;
 }
 
@@ -136,6 +144,13 @@ void CoreRig::status(const std::vector<protocol::StatusItem>& items) {
 void CoreRig::stream(const std::vector<protocol::StatusItem>& items, int count) {
   for (int i = 0; i < count; ++i) {
     if (i > 0) pass(kStreamPeriod);
+    status(items);
+  }
+}
+
+void CoreRig::streamFor(Duration duration, const std::vector<protocol::StatusItem>& items, Duration period) {
+  for (Duration t{}; t < duration; t += period) {
+    pass(period);
     status(items);
   }
 }

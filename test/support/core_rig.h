@@ -37,7 +37,9 @@ class CoreRig {
   ~CoreRig();
 
   [[nodiscard]] static link::LinkSettings noStatus();
-  [[nodiscard]] static blocks::MoveAbsoluteGoal move();  ///< a good PTP CPP
+  /// A good PTP CPP.
+  [[nodiscard]] static blocks::MoveAbsoluteGoal move(blocks::BufferMode mode = blocks::BufferMode::Refuse);
+  [[nodiscard]] static blocks::MoveAbsoluteGoal blended(double percent = 0);
   [[nodiscard]] static blocks::ConnectGoal robot();
 
   // --- Goals.
@@ -63,6 +65,9 @@ class CoreRig {
   /// Frames that all say this, a period of the stream apart: the first one behind an event may be of before
   /// it.
   void stream(const std::vector<protocol::StatusItem>& items, int count = 2);
+  /// The stream goes on for so long, with a frame behind each period.
+  void streamFor(Duration duration, const std::vector<protocol::StatusItem>& items,
+                 Duration period = kStreamPeriod);
 
   /// The oldest frame that was sent and not yet taken; fails when it is of another kind.
   protocol::ScriptRequest takeScript();

@@ -37,8 +37,8 @@ std::string times(std::size_t count, const std::string& text) {
 constexpr int kNotACobot = connect_error::kNotACobot;
 constexpr const char* kForeign = "does not speak the protocol";
 constexpr const char* kNobody = "nothing answers";
-constexpr const char* kErrorsOnly = "all that comes is CPERR (controller: ";
-constexpr const char* kTagOnly = "all that comes is TMSTA (tag 1 complete)";
+constexpr const char* kErrorsOnly = "received: CPERR (controller: ";
+constexpr const char* kTagOnly = "received: TMSTA (tag 1 complete)";
 
 /// Says this once, and then nothing.
 MisbehavingPeer says(std::string name, std::string bytes, std::string words, int error = kNotACobot,
@@ -134,7 +134,7 @@ void addStates(std::vector<MisbehavingPeer>& peers) {
   }
   peers.push_back(replies("a tag for an answer", status("01,01,true"), kTagOnly));
   peers.push_back(replies("data of a script for an answer", status("90,hello"),
-                          "all that comes is TMSTA (script data on 90: hello)"));
+                          "received: TMSTA (script data on 90: hello)"));
   peers.push_back(replies("a state with the header of scripts", reply("00,true,Listen1"), kForeign));
   peers.push_back(replies("never in a Listen node", status("00,false,"), "not in a Listen node",
                           connect_error::kTimeOut));

@@ -61,7 +61,7 @@ MisbehavingPeer streams(std::string name, std::string bytes, std::string words,
   return peer;
 }
 
-constexpr const char* kNoStream = "no status stream of a TM robot";
+constexpr const char* kNoStream = "not the status stream of a TM robot";
 
 void addNoStreams(std::vector<MisbehavingPeer>& peers) {
   peers.push_back(streams("says nothing", "", "sends nothing"));

@@ -1,12 +1,12 @@
-// What stands for an arm whose model nobody has said.
+// A substitute for an arm whose model is not configured.
 #pragma once
 
 #include "cobot_command/arm/arm_model.h"
 
 namespace cobot_command::arm {
 
-/// Each joint goes as far as that of any known model, and as fast: whatever arm it is, a share of these
-/// speeds is no faster on it, if it is a known one. Where its flange is means nothing.
+/// An arm with the widest joint limits and the highest joint speeds of all known models. At the same speed
+/// ratio no known model is faster than this one. Its flange pose has no meaning.
 [[nodiscard]] const ArmModel& anyArm();
 
 }  // namespace cobot_command::arm

@@ -1,6 +1,6 @@
 // One arm of the TM family: geometry, joint limits and ratings, read from its URDF.
 //
-// A value, immutable after it is made; safe to share between threads.
+// An immutable value; safe to share between threads.
 #pragma once
 
 #include <array>
@@ -27,19 +27,20 @@ struct JointLimit {
   double max_velocity = 0;  ///< [rad/s]
 };
 
-/// How fast Line and Circle turn the TCP at 100 % [rad/s]. Ours: no source tells it; see doc/motion.md.
+/// Angular speed of the TCP on Line and Circle at 100 % [rad/s]. Chosen by this package because no source
+/// documents it; see doc/motion.md.
 inline constexpr double kUsualTurnSpeed = kPi;
 
-/// What the data sheet promises for a model.
+/// Data sheet values of a model.
 struct Ratings {
   double payload = 0;        ///< [kg]
   double reach = 0;          ///< [m]
-  double max_tcp_speed = 0;  ///< typical maximum speed of the TCP [m/s]; the 100 % of Line and Circle
-  /// The 100 % of their turns [rad/s]; no TCP turns faster on them.
+  double max_tcp_speed = 0;  ///< typical maximum speed of the TCP [m/s]; 100 % of Line and Circle
+  /// 100 % of their angular speed [rad/s]; the TCP never turns faster on them.
   double turn_speed = kUsualTurnSpeed;
 };
 
-/// Why there is no model: what was found, what is allowed, what to do.
+/// Why a model cannot be created: what was found, what is allowed, what to do.
 struct ModelError {
   std::string message;
 };
@@ -47,20 +48,20 @@ struct ModelError {
 class ArmModel {
  public:
   /// A model of the family by name ("tm5-700", "tm5-900", "tm12", "tm14", "tm12s", "tm14s"), from the URDF
-  /// that is built into the library. An unknown name is refused with the list of the known ones.
+  /// built into the library. An unknown name is refused with the list of known names.
   [[nodiscard]] static Result<ArmModel, ModelError> named(std::string_view name);
 
-  /// From the text of a URDF with other lengths or limits. The robot's name must be a known one, as it
-  /// selects the ratings; its links and joints may all have one prefix ("left_"). Refused when the chain base
-  /// -> flange_link does not have the six joints and the parallel and crossing axes of the TM family
-  /// (tolerance 1e-6 m and rad), as the closed-form kinematics would then be wrong.
+  /// From a URDF with other lengths or limits. The robot's name must be a known model, because it selects the
+  /// ratings. Links and joints may share one prefix ("left_"). Refused if the chain base -> flange_link does
+  /// not have the six joints and the parallel and crossing axes of the TM family (tolerance 1e-6 m and rad),
+  /// because the closed-form kinematics would be wrong.
   [[nodiscard]] static Result<ArmModel, ModelError> fromUrdf(const std::string& urdf);
 
-  /// The same arm under a controller that turns the TCP so fast at 100 % [rad/s, above 0].
+  /// The same arm with another angular speed of the TCP at 100 % [rad/s, above 0].
   [[nodiscard]] ArmModel turning(double turn_speed) const;
 
-  /// The same arm, with joints that are to stay between `lower` and `upper` [rad]. Precondition: below each
-  /// other, and within its limits.
+  /// The same arm with the joint limits `lower` and `upper` [rad]. Precondition: lower <= upper, within the
+  /// limits of this arm.
   [[nodiscard]] ArmModel limitedTo(const JointVector& lower, const JointVector& upper) const;
 
   [[nodiscard]] static const std::vector<std::string>& knownNames();
@@ -71,12 +72,12 @@ class ArmModel {
   [[nodiscard]] const DhLengths& lengths() const { return lengths_; }
   [[nodiscard]] const std::array<JointLimit, kJointCount>& limits() const { return limits_; }
   [[nodiscard]] const Ratings& ratings() const { return ratings_; }
-  /// base -> flange, as KDL sees it: an independent description of the same arm.
+  /// base -> flange as a KDL chain: an independent description of the same arm.
   [[nodiscard]] const KDL::Chain& chain() const { return chain_; }
   [[nodiscard]] const std::array<std::string, kJointCount>& jointNames() const { return joint_names_; }
 
-  /// The first joint (0..5) outside its limits by more than a rounding tolerance of 1e-9 rad; -1 when all are
-  /// inside.
+  /// The first joint (0..5) that is outside its limits by more than a rounding tolerance of 1e-9 rad; -1 if
+  /// all are inside.
   [[nodiscard]] int firstJointOutsideLimits(const JointVector& joints) const;
 
  private:

@@ -1,4 +1,4 @@
-// Where the flange is, and how it moves, for given joints. Closed form; KDL confirms it in the tests.
+// Pose and velocity of the flange for given joints. Closed form; the tests verify it with KDL.
 #pragma once
 
 #include "cobot_command/arm/arm_model.h"
@@ -12,7 +12,7 @@ namespace cobot_command::arm {
 /// Geometric Jacobian of the flange origin in the robot base.
 [[nodiscard]] Jacobian jacobianAt(const ArmModel& arm, const JointVector& joints);
 
-/// How far a posture is from each singularity; all three are zero exactly on it (TM 4.1: det J =
+/// Distance of a posture from each singularity; exactly on a singularity its value is zero (TM 4.1: det J =
 /// a2 a3 sin J3 sin J5 s).
 struct SingularityDistance {
   double shoulder = 0;  ///< |s|: distance of the wrist centre from the shoulder cylinder's tangent plane [m]

@@ -1,4 +1,4 @@
-// What the joints must hold: the weight of the arm and of what it carries.
+// Static joint torques from the weight of the arm and its payload.
 #pragma once
 
 #include "cobot_command/arm/arm_model.h"
@@ -6,18 +6,18 @@
 
 namespace cobot_command::arm {
 
-/// A mass, as if it were all in one point.
+/// A mass concentrated in one point.
 struct PointMass {
   double mass = 0;                                   ///< [kg]
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< [m]
 };
 
-/// Both together; the frame of their centres is the same.
+/// Both masses combined; their centres are in the same frame.
 [[nodiscard]] PointMass operator+(const PointMass& one, const PointMass& other);
 
-/// The torques [Nm] with which the joints hold the arm still, upright on its base: positive where a joint
-/// pushes in its own direction. The masses are those of the URDF (none: nothing to hold), `carried` is in the
-/// flange.
+/// The torques [Nm] that hold the arm at standstill, mounted upright. Positive if a joint pushes in its
+/// positive direction. The masses are those of the URDF (without masses the torques are zero). `carried` is
+/// the payload, in the flange.
 [[nodiscard]] JointVector holdingTorques(const ArmModel& arm, const JointVector& joints,
                                          const PointMass& carried = {});
 

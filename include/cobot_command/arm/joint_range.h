@@ -1,4 +1,4 @@
-// Between which angles a joint is, as people write it in settings.
+// The range of one joint as written in settings.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ struct JointRange {
   double lower = 0;       ///< [deg]
   double upper = 0;       ///< [deg]
 };
-/// "1=-90,90", without blanks. The numbers may be any, nan too; nothing when it is otherwise.
+/// Parses "1=-90,90", without blanks. All numbers are accepted, also nan. std::nullopt for other text.
 [[nodiscard]] std::optional<JointRange> parseJointRange(std::string_view text);
 
 }  // namespace cobot_command::arm

@@ -1,6 +1,7 @@
-// All automata of a problem side by side: which events can happen in a state of them, and where they lead.
+// The synchronous composition of all automata of a problem: the possible events of a state, and their
+// successor states.
 //
-// A state is the tuple of their local states. Immutable; safe to share between threads.
+// A state is the tuple of the local states. Immutable; safe to share between threads.
 #pragma once
 
 #include <cstddef>
@@ -19,11 +20,11 @@ class Composition {
   enum class Part { All, Plants };
   enum class Step {
     Possible,
-    NotInPlants,  ///< a plant cannot make it
+    NotInPlants,  ///< a plant has no transition for it
     BlockedBySpec
   };
 
-  /// Precondition: faultsOf(problem) is empty. With Part::Plants, events are what plants alone make of them.
+  /// Precondition: faultsOf(problem) is empty. With Part::Plants only the plants restrict the events.
   explicit Composition(const Problem& problem, Part part = Part::All);
 
   [[nodiscard]] std::size_t size() const { return state_counts_.size(); }
@@ -33,12 +34,14 @@ class Composition {
   [[nodiscard]] bool isControllable(EventIndex event) const { return controllable_[event]; }
   [[nodiscard]] bool isMarked(const StateIndex* tuple) const;
 
-  /// `to` differs from `from` only if it is possible; it may be the same array.
+  /// `to` differs from `from` only if the step is possible. Both may be the same array.
   Step step(const StateIndex* from, EventIndex event, StateIndex* to) const;
-  /// The first automaton that cannot make it, plants before specs; none: it is possible.
+  /// The first automaton without a transition for it, plants before specs; std::nullopt if the event is
+  /// possible.
   [[nodiscard]] std::optional<std::size_t> blockerOf(const StateIndex* from, EventIndex event) const;
 
-  /// The events that may be possible in a state, in no order: those that one of their plants can make.
+  /// The events that may be possible in a state, unordered: those for which one of their plants has a
+  /// transition.
   template <class Visitor>
   void forEachCandidate(const StateIndex* tuple, const Visitor& visit) const {
     for (std::size_t automaton = 0; automaton < candidates_.size(); ++automaton) {
@@ -48,7 +51,7 @@ class Composition {
 
  private:
   static constexpr StateIndex kNone = ~StateIndex{0};
-  /// Of one automaton in one event: where it leads, by local state.
+  /// One automaton in one event: its next state, by local state.
   struct Participant {
     std::size_t automaton = 0;
     bool is_plant = true;

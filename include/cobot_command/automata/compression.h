@@ -1,5 +1,5 @@
-// Fewer states with the same decisions: what nobody else sees and nothing can hold up is left out (cell.md,
-// M25).
+// Reduces the number of states without changing decisions: removes events that no other automaton has and
+// that nothing can delay (doc/cell.md).
 #pragma once
 
 #include <vector>
@@ -9,19 +9,20 @@
 namespace cobot_command::automata {
 
 struct Compressed {
-  Problem problem;  ///< without the events that are left out
-  /// By automaton and old local state: the new one.
+  Problem problem;  ///< without the removed events
+  /// [automaton][old local state]: the new state.
   std::vector<std::vector<StateIndex>> state_of;
-  /// By new event: the old one.
+  /// [new event]: the old event.
   std::vector<EventIndex> events;
 };
 
-/// Leaves out each event that one plant alone has, and that is the only one wherever it can happen: its two
-/// ends become one state, which is marked when one of them was. Those in `kept` stay: events that have to be
-/// refused for what comes behind them by itself.
+/// Removes each event that only one plant has and that is the only event in every state where it is possible.
+/// Its two states become one, which is marked if one of them was. The events in `kept` remain: events that
+/// must be refused because of what follows them automatically.
 ///
-/// The decisions on all other events stay the same where each plant, once nothing that it needs is held by
-/// others, can go on to a marked state alone: so it is in the model of a cell, as its programs lead home.
+/// Decisions on all other events do not change if each plant can continue to a marked state alone as soon as
+/// no other plant holds anything that it needs. This is true for the model of a cell, because its programs
+/// lead home.
 [[nodiscard]] Compressed compress(const Problem& problem, const std::vector<EventIndex>& kept = {});
 
 }  // namespace cobot_command::automata

@@ -1,4 +1,4 @@
-// Problems of which no two share an event, made of one: each has a supervisor of its own (cell.md, M24).
+// Divides a problem into problems without common events. Each has its own supervisor (doc/cell.md).
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,12 @@ namespace cobot_command::automata {
 
 struct PartOfProblem {
   Problem problem;
-  std::vector<std::size_t> automata;  ///< by automaton of the part: that of the whole
-  std::vector<EventIndex> events;     ///< by event of the part: that of the whole
+  std::vector<std::size_t> automata;  ///< by automaton of the part: its index in the whole problem
+  std::vector<EventIndex> events;     ///< by event of the part: its index in the whole problem
 };
 
-/// By the first automaton of each. The product of non-blocking automata without common events is
-/// non-blocking, so that their supervisors together are that of the whole.
+/// Ordered by the first automaton of each part. The product of non-blocking automata without common events is
+/// non-blocking, so the supervisors of the parts together are the supervisor of the whole.
 [[nodiscard]] std::vector<PartOfProblem> independentParts(const Problem& problem);
 
 }  // namespace cobot_command::automata

@@ -1,7 +1,7 @@
-// Problems as text of other programs, and back (cell.md, M27).
+// Converts problems to and from the text formats of other programs (doc/cell.md).
 //
-// Where a format does not allow a name, another one stands for it, a different one for each, and a comment of
-// the file has the table of both.
+// A name that a format does not allow is replaced by a unique valid name. A comment of the file has the table
+// of both names.
 #pragma once
 
 #include <string>
@@ -13,22 +13,22 @@
 
 namespace cobot_command::automata {
 
-/// Our own: {"format": "cobot-automata", "version": 1, "problems": [...]}, each with `events`, `automata`
-/// and, for people, `name` and `about`. What else stands in it is left to whoever has written it. A fault is
-/// a sentence with the place.
+/// The JSON format of this package: {"format": "cobot-automata", "version": 1, "problems": [...]}, each with
+/// `events`, `automata` and, for readers, `name` and `about`. Other keys are ignored. A fault is a sentence
+/// with its position.
 [[nodiscard]] Result<std::vector<Problem>, std::string> problemsFromJson(std::string_view text);
 [[nodiscard]] std::string toJson(const std::vector<Problem>& problems);
 
-/// Modules of Supremica and WATERS, plain automata. Refused by name: variables, guards, instances, loops,
-/// events with an index. An automaton in which no event list has `:accepting` is marked everywhere, as it is
-/// for those.
+/// Modules of Supremica and WATERS, plain automata. Refused, with the name: variables, guards, instances,
+/// loops, events with an index. If no event list of an automaton has `:accepting`, all its states are marked,
+/// as in these programs.
 [[nodiscard]] Result<Problem, std::string> problemFromWmod(std::string_view text);
 [[nodiscard]] std::string toWmod(const Problem& problem);
 
 /// Eclipse ESCET, CIF 3.
 [[nodiscard]] std::string toCif(const Problem& problem);
 
-/// Graphviz: a digraph of each automaton.
+/// Graphviz: one digraph per automaton.
 [[nodiscard]] std::string toDot(const Problem& problem);
 
 }  // namespace cobot_command::automata

@@ -1,7 +1,7 @@
-// What a supervisor keeps out of, as rules over few automata: for people (cell.md, S4).
+// Explains the states that a supervisor avoids, as rules over few automata (doc/cell.md).
 //
-// "Not RA at its third place while RB is at its third" says what a list of whole tuples hides. Beside the
-// specs such rules refuse exactly what the frontier refuses: the closed loop is the same.
+// "Not RA at its third place while RB is at its third" shows what a list of complete tuples hides. Together
+// with the specs the rules refuse exactly what the frontier refuses: the closed loop is the same.
 #pragma once
 
 #include <cstddef>
@@ -18,32 +18,33 @@ namespace cobot_command::automata {
 
 struct RuleCondition {
   std::size_t automaton = 0;
-  std::vector<StateIndex> states;  ///< ascending; it is in one of them
+  std::vector<StateIndex> states;  ///< ascending; the automaton is in one of them
 };
 
-/// A controllable event must not lead to where all conditions hold.
+/// A controllable event must not lead to a state in which all conditions hold.
 struct FrontierRule {
   std::vector<RuleCondition> conditions;  ///< ascending by automaton
 
   [[nodiscard]] bool matches(const Tuple& tuple) const;
 };
 
-/// Of each state of the frontier the fewest automata that tell it from all that the supervisor lets happen,
-/// plants alone where these do; rules that differ in one automaton become one, and none is there without
-/// need. The same supervisor gives the same rules. Precondition: verify() finds nothing wrong with it.
+/// For each state of the frontier: the fewest automata that distinguish it from all states that the
+/// supervisor permits; only plants if these are sufficient. Rules that differ in one automaton are merged,
+/// and redundant rules are removed. The same supervisor gives the same rules. Precondition: verify() finds no
+/// fault in it.
 [[nodiscard]] Result<std::vector<FrontierRule>, TooManyStates> frontierRulesOf(
     const CompiledSupervisor& supervisor, std::size_t max_states);
 
 struct RuleComparison {
-  /// Each a sentence with the events that lead there: what a rule refuses and the frontier does not, or the
-  /// other way round.
+  /// Sentences with the events that lead there: an event that a rule refuses and the frontier does not, or
+  /// vice versa.
   std::vector<std::string> faults;
-  std::size_t states = 0;   ///< reached under the supervisor: the rules were asked in each
+  std::size_t states = 0;   ///< reached under the supervisor; the rules were evaluated in each
   std::size_t refused = 0;  ///< pairs of a state and an event that both refuse
 };
 
-/// Asks both about each event in each state that is reached under the supervisor; where they always agree,
-/// they reach the same states. Shares no code with the reduction.
+/// Compares both for each event in each state that is reached under the supervisor. If they always agree,
+/// they reach the same states. Shares no code with the computation of the rules.
 [[nodiscard]] RuleComparison compareRules(const CompiledSupervisor& supervisor,
                                           const std::vector<FrontierRule>& rules, std::size_t max_states);
 

@@ -1,4 +1,5 @@
-// Our figures beside those that independent programs have found of the same problems (cell-oracles.json).
+// Compares results of this package with those of independent programs for the same problems
+// (cell-oracles.json).
 #pragma once
 
 #include <string>
@@ -18,8 +19,8 @@ struct OracleFigure {
   [[nodiscard]] bool isSame() const { return expected == found; }
 };
 
-/// One of each number and fingerprint that the file expects; schedules are left to cell/schedule. A fault is
-/// a sentence.
+/// One figure for each number and fingerprint that the file expects, except schedules, which cell/schedule
+/// compares. A fault is a sentence.
 [[nodiscard]] Result<std::vector<OracleFigure>, std::string> compareWithOracles(std::string_view file);
 
 }  // namespace cobot_command::automata

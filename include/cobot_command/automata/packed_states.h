@@ -1,4 +1,5 @@
-// Tuples of local states in as few bits as they need, each once, numbered as they come.
+// A set of tuples of local states, packed into as few bits as possible and numbered in the order of
+// insertion.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +21,7 @@ class PackedStates {
     Number number = 0;
     bool is_new = false;
   };
-  /// Precondition: fewer than 2^32 - 1 are there.
+  /// Precondition: fewer than 2^32 - 1 states are stored.
   Inserted insert(const StateIndex* tuple);
   [[nodiscard]] std::optional<Number> find(const StateIndex* tuple) const;
 
@@ -29,7 +30,7 @@ class PackedStates {
   [[nodiscard]] Tuple tuple(Number number) const;
 
  private:
-  /// Where a local state is: no automaton's goes over the end of a word.
+  /// Position of a local state. It never crosses the end of a word.
   struct Field {
     std::size_t word = 0;
     unsigned shift = 0;
@@ -43,9 +44,9 @@ class PackedStates {
 
   std::vector<Field> fields_;
   std::size_t words_ = 1;
-  std::vector<std::uint64_t> keys_;  ///< `words_` of each, by number
-  std::vector<Number> slots_;        ///< number + 1; 0: free. As many as a power of two
-  std::vector<std::uint64_t> key_;   ///< of the one that is being inserted
+  std::vector<std::uint64_t> keys_;  ///< `words_` per state, by number
+  std::vector<Number> slots_;        ///< number + 1; 0: free. The size is a power of two
+  std::vector<std::uint64_t> key_;   ///< key of the state that is being inserted
   Number size_ = 0;
 };
 

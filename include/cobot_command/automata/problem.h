@@ -1,8 +1,8 @@
-// What is to be controlled, and what is allowed of it: plants and specs, automata over named events (cell.md,
-// section 5).
+// A control problem: plants (the system) and specs (what is permitted), as automata over named events
+// (doc/cell.md).
 //
-// An event happens when every automaton that has it in its alphabet can make it. All of them together, as far
-// as it is reached, is K; K is marked where all automata are.
+// An event happens if every automaton that has it in its alphabet has a transition for it. The reachable
+// composition of all automata is K. A state of K is marked if all automata are in a marked state.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace cobot_command::automata {
 
-/// Into Problem::events.
+/// Index into Problem::events.
 using EventIndex = std::uint32_t;
-/// Into Automaton::states.
+/// Index into Automaton::states.
 using StateIndex = std::uint32_t;
 
 struct Event {
-  std::string name;          ///< for people and for the canonical order; nothing is read out of it
-  bool controllable = true;  ///< may be refused; one that is not only tells what happened
+  std::string name;          ///< for display and for the canonical order; never parsed
+  bool controllable = true;  ///< may be refused; an uncontrollable event only reports what happened
 };
 
 struct Transition {
@@ -32,10 +32,10 @@ struct Automaton {
 
   std::string name;
   Kind kind = Kind::Plant;
-  std::vector<EventIndex> alphabet;  ///< events that need it; one without a transition anywhere never happens
+  std::vector<EventIndex> alphabet;  ///< events that need it; one without any transition never happens
   std::vector<std::string> states;
   StateIndex initial = 0;
-  std::vector<StateIndex> marked;  ///< where it may rest for good
+  std::vector<StateIndex> marked;  ///< where it may stay forever
   std::vector<Transition> transitions;
 };
 
@@ -46,8 +46,8 @@ struct Problem {
   std::vector<Automaton> automata;
 };
 
-/// Each a sentence: doubled names, indices of nothing, nondeterminism, an event of no plant, no marked state.
-/// None: it can be composed.
+/// One sentence per fault: duplicate names, invalid indices, nondeterminism, an event without a plant, no
+/// marked state. Empty: the problem can be composed.
 [[nodiscard]] std::vector<std::string> faultsOf(const Problem& problem);
 
 }  // namespace cobot_command::automata

@@ -1,4 +1,4 @@
-// Neighbours in memory, to be looped over.
+// A range of adjacent elements in memory, for range-based loops.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What a composition can reach: its states, and the events between them.
+// The reachable states of a composition, and the events between them.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +24,8 @@ class StateSpace {
     EventIndex event = 0;
     Number to = 0;
   };
-  /// All that is reached from the initial state, which has number 0; by steps, nearest first. The composition
-  /// has to live longer.
+  /// All states that are reachable from the initial state, which has number 0, breadth first. The composition
+  /// must outlive the state space.
   [[nodiscard]] static Result<StateSpace, TooManyStates> explore(const Composition& composition,
                                                                  std::size_t max_states);
 
@@ -35,9 +35,9 @@ class StateSpace {
     return {edges_.data() + first_edges_[state], edges_.data() + first_edges_[state + 1]};
   }
   [[nodiscard]] bool isMarked(Number state) const { return marked_[state]; }
-  /// An uncontrollable event is possible in all plants that have it, and blocked by a spec.
+  /// True if an uncontrollable event is possible in all its plants and blocked by a spec.
   [[nodiscard]] bool breaksSpec(Number state) const { return breaks_spec_[state]; }
-  /// How many controllable events all their plants could make, and a spec blocks.
+  /// The number of controllable events that are possible in all their plants and blocked by a spec.
   [[nodiscard]] std::size_t refusedBySpec(Number state) const { return refused_by_spec_[state]; }
 
   [[nodiscard]] const PackedStates& states() const { return states_; }
@@ -50,7 +50,7 @@ class StateSpace {
   const Composition* composition_;
   PackedStates states_;
   std::vector<Edge> edges_;
-  std::vector<std::size_t> first_edges_ = {0};  ///< by state, and one more
+  std::vector<std::size_t> first_edges_ = {0};  ///< by state, plus one end entry
   std::vector<bool> marked_;
   std::vector<bool> breaks_spec_;
   std::vector<std::uint16_t> refused_by_spec_;

@@ -1,4 +1,4 @@
-// What decides while the plants run: their automata, and the states that are kept out of (cell.md, M22).
+// The supervisor at run time: the automata, and the states that it must avoid (doc/cell.md).
 //
 // A state is the tuple of the automata; there is no table of all states. Immutable; safe to share between
 // threads.
@@ -14,35 +14,36 @@
 
 namespace cobot_command::automata {
 
-/// A supervisor as data: what an artifact holds.
+/// A supervisor as data, as stored in an artifact.
 struct CompiledSupervisor {
   Problem problem;
-  std::vector<Tuple> frontier;  ///< in ascending order; a controllable event must not lead to any
+  std::vector<Tuple> frontier;  ///< ascending; a controllable event must not lead to any of these states
 };
-/// Precondition: the synthesis is of that problem and not empty.
+/// Precondition: the synthesis belongs to that problem and is not empty.
 [[nodiscard]] CompiledSupervisor compile(const Synthesis& synthesis, const Problem& problem);
 
 struct Decision {
   enum class Verdict {
     Granted,
     UnknownEvent,
-    NotInPlants,  ///< no plant could make it here
+    NotInPlants,  ///< no plant has a transition for it in this state
     SpecBlocks,
-    WouldBlock,  ///< it would lead to where not all come home any more
-    BreaksSpec   ///< an uncontrollable one that a spec blocks, or that leads to where it must not: the model
-                 ///< is wrong
+    WouldBlock,  ///< it would lead to a state from which not all can reach home
+    BreaksSpec  ///< an uncontrollable event that a spec blocks, or that leads to a forbidden state: the model
+                ///< is wrong
   };
   Verdict verdict = Verdict::UnknownEvent;
-  std::optional<std::size_t> automaton;  ///< that cannot make it, if one cannot
-  Tuple next;                            ///< where it leads, if nobody but the supervisor speaks against it
+  std::optional<std::size_t> automaton;  ///< without a transition for it, if there is one
+  Tuple next;  ///< the next state, if only the supervisor refuses the event or nothing does
 };
 
 class Supervisor {
  public:
-  /// Precondition: faultsOf(problem) is empty, and each tuple of the frontier has a state of each automaton.
+  /// Precondition: faultsOf(problem) is empty, and each tuple of the frontier has one valid state per
+  /// automaton.
   explicit Supervisor(CompiledSupervisor compiled);
 
-  /// Precondition: `state` is one that granted events have led to.
+  /// Precondition: `state` was reached by granted events.
   [[nodiscard]] Decision decide(const Tuple& state, EventIndex event) const;
   [[nodiscard]] const Tuple& initial() const { return composition_.initial(); }
   [[nodiscard]] bool isMarked(const Tuple& state) const { return composition_.isMarked(state.data()); }

@@ -1,5 +1,5 @@
-// The supervisor: the largest part of what can be reached that is allowed, can be held, and always leads
-// home.
+// Synthesis of the supervisor: the largest reachable behaviour that is permitted, controllable and
+// non-blocking.
 #pragma once
 
 #include <cstddef>
@@ -15,24 +15,25 @@ struct SynthesisCounts {
   std::size_t transitions = 0;
   std::size_t marked = 0;
   std::size_t refused_by_spec = 0;  ///< pairs of a state and a controllable event that a spec blocks there
-  std::size_t refused_beyond_spec = 0;  ///< and of one that only the supervisor refuses
-  std::size_t frontier = 0;             ///< states that only the supervisor keeps it from entering
+  std::size_t refused_beyond_spec = 0;  ///< pairs of a state and an event that only the supervisor refuses
+  std::size_t frontier = 0;             ///< states that only the supervisor prevents
 };
 
-/// Of a state space that has to live longer.
+/// The state space must outlive it.
 class Synthesis {
  public:
   using Number = StateSpace::Number;
 
-  /// Takes away states that break a spec, those that an uncontrollable event leads to such from, and those
-  /// from which no marked state is reached, until none are left of either; then what is not reached any more.
+  /// Removes states that violate a spec, states from which an uncontrollable event leads to a removed state,
+  /// and states from which no marked state is reachable, until a fixed point. Then removes unreachable
+  /// states.
   explicit Synthesis(const StateSpace& space);
 
-  /// Nothing is left: not even the initial state can be held.
+  /// Nothing remains: even the initial state cannot be kept.
   [[nodiscard]] bool empty() const { return !contains_[0]; }
   [[nodiscard]] bool contains(Number state) const { return contains_[state]; }
-  /// States outside of it that a controllable event would lead to from inside, ascending. To keep out of them
-  /// is all that a supervisor has to do beside the specs.
+  /// States outside that a controllable event would reach from inside, ascending. In addition to the specs, a
+  /// supervisor only has to avoid these.
   [[nodiscard]] const std::vector<Number>& frontier() const { return frontier_; }
   [[nodiscard]] const SynthesisCounts& counts() const { return counts_; }
   [[nodiscard]] const StateSpace& space() const { return space_; }
@@ -46,17 +47,17 @@ class Synthesis {
   SynthesisCounts counts_;
 };
 
-/// What of a state space is in trouble before anything is taken away.
+/// Problems of a state space before any state is removed.
 struct Troubles {
   std::size_t marked = 0;
-  std::size_t deadlocks = 0;      ///< not marked, and nothing is possible
-  std::size_t blocking = 0;       ///< no marked state can be reached
+  std::size_t deadlocks = 0;      ///< not marked, and no event is possible
+  std::size_t blocking = 0;       ///< no marked state is reachable
   std::size_t breaking_spec = 0;  ///< an uncontrollable event is blocked by a spec
 };
 [[nodiscard]] Troubles troublesOf(const StateSpace& space);
 
-/// The events of the shortest way from the initial state into one that breaks a spec, or from which no marked
-/// one can be reached; none, where the initial state is such itself, or there is no such.
+/// The events of the shortest path from the initial state to a state that violates a spec, or from which no
+/// marked state is reachable. Empty if this is the initial state itself, or if there is no such state.
 [[nodiscard]] std::vector<EventIndex> shortestWayIntoConflict(const StateSpace& space);
 
 }  // namespace cobot_command::automata

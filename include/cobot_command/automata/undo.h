@@ -1,4 +1,4 @@
-// A booking that nothing was done with, taken back (cell.md, M33).
+// Takes back an unused booking (doc/cell.md).
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,10 @@ class Undo {
   /// Precondition: faultsOf(problem) is empty.
   explicit Undo(const Problem& problem);
 
-  /// Controllable, and a spec has it: what it takes could be given back.
+  /// True for a controllable event of a spec: what it takes can be returned.
   [[nodiscard]] bool isBooking(EventIndex event) const { return is_booking_[event]; }
-  /// Where all automata that have the event were before it, if it is the last thing that they did; none,
-  /// where one of them is not right behind it, or could have come there from two states.
+  /// The state before the event, of all automata that have it, if it was their last event. std::nullopt if
+  /// one of them is not in a state directly after it, or could have reached that state from two states.
   [[nodiscard]] std::optional<Tuple> before(const Tuple& tuple, EventIndex event) const;
 
  private:
@@ -32,8 +32,8 @@ class Undo {
 };
 
 struct UndoCounts {
-  std::size_t bookings = 0;  ///< pairs of a state of the supervisor and a booking that can be undone there
-  std::size_t outside = 0;   ///< of which undone would leave the supervisor
+  std::size_t bookings = 0;  ///< pairs of a supervisor state and a booking that can be taken back there
+  std::size_t outside = 0;   ///< of these: taking back would leave the supervisor
 };
 [[nodiscard]] UndoCounts countUndoes(const Synthesis& synthesis, const Problem& problem);
 

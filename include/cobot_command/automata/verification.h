@@ -1,4 +1,4 @@
-// Whether a supervisor is what it should be, found out anew from what an artifact holds (cell.md, M23).
+// Verifies a supervisor from the contents of an artifact (doc/cell.md).
 //
 // Shares no code with the synthesis: neither composition, nor state space, nor the search for the largest
 // solution.
@@ -12,8 +12,8 @@
 
 namespace cobot_command::automata {
 
-/// What a robot holds, by automaton of the problem and local state: numbers of zones, ascending. Empty for
-/// what holds nothing, such as specs.
+/// The zones that a robot holds, [automaton of the problem][local state]: zone numbers, ascending. Empty for
+/// automata that hold nothing, such as specs.
 using Holds = std::vector<std::vector<std::vector<std::size_t>>>;
 
 struct VerificationLimits {
@@ -22,8 +22,8 @@ struct VerificationLimits {
 
 struct VerificationCounts {
   std::size_t plant_and_spec = 0;
-  std::size_t dead = 0;      ///< of those: not marked, and nothing is possible
-  std::size_t blocking = 0;  ///< from which no marked state can be reached
+  std::size_t dead = 0;      ///< of these: not marked, and no event is possible
+  std::size_t blocking = 0;  ///< of these: no marked state is reachable
   std::size_t states = 0;    ///< reached under the supervisor
   std::size_t transitions = 0;
   std::size_t refused_by_spec = 0;
@@ -31,15 +31,15 @@ struct VerificationCounts {
 };
 
 struct Verification {
-  /// Each a sentence with the events that lead there; empty: it is proved to be mutually exclusive,
-  /// controllable, non-blocking and maximally permissive, and to be the one with that fingerprint; and, where
-  /// it is known what robots hold, not to be left by a booking that is taken back.
+  /// One sentence per fault, with the events that lead there. Empty: the supervisor is proven to be mutually
+  /// exclusive, controllable, non-blocking and maximally permissive, and to have that fingerprint. If the
+  /// zones of the robots are given, it is also proven that taking back a booking never leaves it.
   std::vector<std::string> faults;
   VerificationCounts counts;
 };
 
-/// `fingerprint`: of the supervisor that was synthesized; of any, when it is empty. `holds` may be empty
-/// where nothing is known of zones.
+/// `fingerprint`: of the synthesized supervisor; empty: of any. `holds` may be empty if the zones are
+/// unknown.
 [[nodiscard]] Verification verify(const CompiledSupervisor& supervisor, const std::string& fingerprint,
                                   const Holds& holds = {}, VerificationLimits limits = {});
 

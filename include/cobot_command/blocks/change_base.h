@@ -1,4 +1,4 @@
-// CBT_ChangeBase (thesis 5.3.5): the base of the motions behind it.
+// CBT_ChangeBase (thesis 5.3.5): the base of the motions that follow.
 #pragma once
 
 #include <optional>
@@ -14,9 +14,9 @@ struct ChangeBaseGoal {
   [[nodiscard]] static ErrorTable errors();
 
   int command_id = 0;                   ///< 0 or 2..9; only echoed
-  SixValues transformation{};           ///< of the base in the robot base
-  std::optional<FramedPose> base_pose;  ///< in place of it
-  std::string base_name;                ///< in place of both: a base of the project; empty: none
+  SixValues transformation{};           ///< the base in the robot base
+  std::optional<FramedPose> base_pose;  ///< replaces transformation
+  std::string base_name;                ///< replaces both: the name of a base of the project; empty: none
   bool exit_node = false;
   int buffer_mode = 0;
 };

@@ -1,4 +1,4 @@
-// The weight of what the tool holds, for the motions behind it.
+// The weight of the payload in the tool, for the motions that follow.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Plans a whole list end to end: reach, pose bits, limits along every path, singularities, blends. Sends
-// nothing.
+// Plans a whole list of steps from start to end: reach, pose bits, limits along every path, singularities,
+// blends. Sends nothing.
 #pragma once
 
 #include <cstddef>
@@ -18,28 +18,29 @@
 
 namespace cobot_command::blocks {
 
-/// A step of a sequence to be checked.
 using SequenceStep =
     std::variant<MoveAbsoluteGoal, MoveRelativeGoal, MoveCircleGoal, ChangeBaseGoal, ChangeTcpGoal>;
 
 struct CheckSequenceGoal {
   static constexpr const char* kName = "check_sequence";
-  /// Who makes goals looks at it before the work that each step costs.
+  /// Check this limit before you create the steps of a goal, because each step costs work.
   static constexpr std::size_t kMostSteps = 200;
   [[nodiscard]] static ErrorTable errors();
 
-  std::vector<SequenceStep> steps;   ///< 1..200
-  std::string steps_fault;           ///< why the steps could not be read; empty: they could
-  std::vector<double> start_joints;  ///< [deg], six; empty: where the robot is, or what is sent will leave it
-  int faulty_step = -1;              ///< the one that steps_fault is about, from 0; -1: none
-  bool comes_round = false;          ///< behind the last step comes the first again, as in a cycle
+  std::vector<SequenceStep> steps;  ///< 1..200
+  std::string steps_fault;          ///< why the steps could not be read; empty: they were read
+  /// [deg], six values; empty: the present joints, or those at which the commands already sent will leave the
+  /// robot.
+  std::vector<double> start_joints;
+  int faulty_step = -1;      ///< index of the step that steps_fault refers to; -1: none
+  bool comes_round = false;  ///< the first step follows the last one, as in a cycle
 };
 
 [[nodiscard]] GoalTraits traitsOf(const CheckSequenceGoal& goal);
-/// Nothing: what is wrong with the steps is found step by step, by plan().
+/// Always empty: plan() checks the steps one by one.
 [[nodiscard]] std::vector<Failure> check(const CheckSequenceGoal& goal);
-/// Done with a report of every step (SequenceReport); or Rejected with the index of the first step that fails
-/// and its own error, the reports ending with it.
+/// Done with a report for every step (SequenceReport). Otherwise Rejected with the index of the first step
+/// that fails and its own error; the reports end with that step.
 [[nodiscard]] Outcome plan(const CheckSequenceGoal& goal, const PlanningScene& scene);
 
 }  // namespace cobot_command::blocks

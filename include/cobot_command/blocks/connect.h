@@ -1,4 +1,4 @@
-// CBT_Connect (thesis 5.3.1): open the link and supervise it. Busy while connected.
+// CBT_Connect (thesis 5.3.1): opens the link and supervises it. Busy while connected.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,13 @@ struct ConnectGoal {
   [[nodiscard]] static ErrorTable errors();
 
   std::string host;                ///< name or address of the controller
-  int port = 5890;                 ///< script port, 0..65535; 0 is refused as nothing can listen there
-  double timeout = 10;             ///< how long to try [s], 10..300
-  std::optional<int> status_port;  ///< of the status stream, 0: none; absent: the port of LinkSettings
+  int port = 5890;                 ///< script port, 0..65535; 0 is refused because no port has this number
+  double timeout = 10;             ///< maximum time to try [s], 10..300
+  std::optional<int> status_port;  ///< of the status stream, 0: none; nullopt: the port of LinkSettings
 };
 
-/// Detail of its end and its progress: LastConnTime and LastLostTime, since it was executed (thesis 5.3.1.1);
-/// absent: not yet.
+/// Detail of the outcome and of the progress: LastConnTime and LastLostTime since the goal was executed
+/// (thesis 5.3.1.1); nullopt: not yet.
 struct LinkTimes {
   std::optional<Instant> last_connected;
   std::optional<Instant> last_lost;

@@ -1,4 +1,4 @@
-// Leaves the Listen node (ScriptExit) once all that was sent before is done.
+// Leaves the Listen node (ScriptExit) after all commands sent before are done.
 #pragma once
 
 #include <vector>

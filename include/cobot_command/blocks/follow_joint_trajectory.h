@@ -1,5 +1,5 @@
-// A trajectory of all joints with its times, as control_msgs/FollowJointTrajectory: what MoveIt and others
-// speak. It goes to the robot as one PVT, and its tolerances are watched.
+// A timed trajectory of all joints, as in control_msgs/FollowJointTrajectory, the interface of MoveIt and
+// others. It is sent to the robot as one PVT, and its tolerances are monitored.
 // doc/actions/follow_joint_trajectory.md.
 #pragma once
 
@@ -15,48 +15,49 @@
 
 namespace cobot_command::blocks {
 
-/// Any sizes may come; J1..J6 otherwise.
+/// Vectors of any size may arrive; valid ones hold J1..J6.
 struct TrajectoryPoint {
-  double time = 0;                 ///< since the trajectory began [s]
+  double time = 0;                 ///< since the start of the trajectory [s]
   std::vector<double> positions;   ///< [rad]
-  std::vector<double> velocities;  ///< [rad/s]; those of all points, or of none: then they are derived
+  std::vector<double> velocities;  ///< [rad/s]; given for all points or for none: then they are derived
 };
 
 struct FollowJointTrajectoryGoal {
   static constexpr const char* kName = "follow_joint_trajectory";
   [[nodiscard]] static ErrorTable errors();
 
-  std::vector<TrajectoryPoint> points;  ///< none: what is under way is stopped, and that is all
-  std::string names_fault;  ///< why the names are not those of the robot's joints; empty: they are
-  // Of each joint [rad]; 0: as this layer sees fit, negative: any.
+  std::vector<TrajectoryPoint> points;  ///< empty: only stops the running command
+  std::string names_fault;  ///< why the names are not those of the robot's joints; empty: they match
+  // Per joint [rad]; 0: default of this layer, negative: no limit.
   SixValues path_tolerance{};
   SixValues goal_tolerance{};
-  double goal_time_tolerance = 0;  ///< for the goal tolerance, behind its end [s]; 0: as for other motions
-  double starts_in = 0;            ///< from its turn on [s]; negative: it should have begun so long ago
-  /// Who sends a new trajectory means that in place of the old one; the action has no field for it.
+  /// Time after the end of the trajectory to reach the goal tolerance [s]; 0: as for other motions.
+  double goal_time_tolerance = 0;
+  double starts_in = 0;  ///< time from its turn to its start [s]; negative: the start is already past
+  /// A client that sends a new trajectory wants to replace the old one; the action has no field for this.
   int buffer_mode = static_cast<int>(BufferMode::Aborting);
 };
 
 struct TrajectoryPlan;
 
-/// Detail of its end; also where it was refused.
+/// Detail of the outcome, also if the goal was refused.
 struct TrajectoryReport {
-  int error_index = -1;                                  ///< of the point to blame; -1: none
-  int error_joint = -1;                                  ///< 0..5; -1: none
-  std::shared_ptr<const TrajectoryPlan> plan = nullptr;  ///< of a plan, for the run that it becomes
+  int error_index = -1;  ///< index of the point that caused the error; -1: none
+  int error_joint = -1;  ///< 0..5: joint that caused the error; -1: none
+  std::shared_ptr<const TrajectoryPlan> plan = nullptr;  ///< set by plan(), for the run
 };
 
-/// Detail of its progress: where the joints should be by now [rad, rad/s], and are.
+/// Detail of the progress: desired and actual joints at this time [rad, rad/s].
 struct TrajectoryPlace {
-  Duration time{};  ///< since it began, by its plan
+  Duration time{};  ///< planned time since the start
   SixValues desired{};
   SixValues desired_velocities{};
-  std::optional<SixValues> actual;  ///< nothing: nobody knows
+  std::optional<SixValues> actual;  ///< nullopt: unknown
 };
 
 [[nodiscard]] GoalTraits traitsOf(const FollowJointTrajectoryGoal& goal);
 [[nodiscard]] std::vector<Failure> check(const FollowJointTrajectoryGoal& goal);
-/// From where the robot stands.
+/// Plans the trajectory from the present position of the robot.
 [[nodiscard]] Outcome plan(const FollowJointTrajectoryGoal& goal, const PlanningScene& scene);
 [[nodiscard]] std::unique_ptr<Run> runOf(const FollowJointTrajectoryGoal& goal, GoalId id,
                                          const Outcome& planned, Instant now);

@@ -1,7 +1,7 @@
-// To move the arm by hand: for as long as somebody says so, or by a small step. GroupJog of SRCI.
+// Moves the arm by hand: while keep-alives arrive (hold to run), or by a small increment. GroupJog of SRCI.
 // doc/actions/jog.md.
 //
-// Hold to run is its own dead man's switch: without the next keep-alive the arm stands within
+// Hold to run acts as its own dead man's switch: without a new keep-alive the arm is at standstill within
 // kJogStandsWithin.
 #pragma once
 
@@ -19,78 +19,81 @@ namespace cobot_command::blocks {
 
 enum class JogMode {
   Frame = 0,  ///< along and about the axes of a frame
-  Tool = 1,   ///< of the tool
-  Axes = 2    ///< of the joints
+  Tool = 1,   ///< along or about the axes of the tool
+  Axes = 2    ///< about the joint axes
 };
 
-/// By which the controller is told.
+/// How the controller is commanded.
 enum class JogMeans {
   None = 0,
-  Velocity = 1,  ///< continuous velocities, which need a licence
+  Velocity = 1,  ///< continuous velocities, which require a licence
   Moves = 2      ///< short relative moves that blend into each other
 };
 
-/// Why it has come to rest.
+/// Why the jog ended.
 enum class JogEnd {
   None = 0,
-  Released = 1,       ///< no keep-alive came any more
-  IncrementDone = 2,  ///< the step was made
-  JointLimit = 3,     ///< a joint would leave its range
-  Singularity = 4,    ///< of shoulder, elbow or wrist
-  Reach = 5,          ///< no posture reaches further
-  JointSpeed = 6,     ///< a joint would have to be faster than rated: a singularity is near
-  Longest = 7         ///< ten minutes are over
+  Released = 1,  ///< no more keep-alives arrived
+  IncrementDone = 2,
+  JointLimit = 3,   ///< a joint would leave its range
+  Singularity = 4,  ///< of shoulder, elbow or wrist
+  Reach = 5,        ///< no posture reaches further
+  JointSpeed = 6,   ///< a joint would exceed its rated speed: a singularity is near
+  Longest = 7       ///< the maximum time of ten minutes is over
 };
 
-/// From the last keep-alive until the arm stands, at the latest; how that is shared out: doc/actions/jog.md.
+/// Maximum time from the last keep-alive to standstill of the arm; its parts: doc/actions/jog.md.
 inline constexpr Duration kJogStandsWithin = std::chrono::milliseconds(250);
-/// Of these: for what a controller, and the way to it, are late.
+/// Part of it that is reserved for delays of the controller and of the network.
 inline constexpr Duration kJogReserve = std::chrono::milliseconds(20);
 
 struct JogGoal {
   static constexpr const char* kName = "jog";
   [[nodiscard]] static ErrorTable errors();
-  /// Number of frame or tool: those that are active on the controller.
+  /// Number of a frame or tool: the one that is active on the controller.
   static constexpr int kActive = -1;
 
   int mode = static_cast<int>(JogMode::Frame);
-  /// -1, 0, 1: X Y Z RX RY RZ; or J1..J6.
+  /// -1, 0 or 1 each: X Y Z RX RY RZ, or J1..J6.
   std::array<int, 6> directions{};
-  /// Of the reference [%]: the rated speeds of the joints; or typical speed and turn speed of the TCP. 0: 10.
+  /// [%] of the reference: the rated speeds of the joints, or the typical speed and the turn speed of the
+  /// TCP. 0: 10.
   double speed = 0;
-  double increment_mm = 0;   ///< of the way; both 0: hold to run
-  double increment_deg = 0;  ///< of the turn, or of each joint
-  int frame = 0;             ///< of the tables; kActive. Not with Axes
-  int tool = 0;              ///< the same
+  double increment_mm = 0;   ///< distance along each direction; both increments 0: hold to run
+  double increment_deg = 0;  ///< angle about each axis, or of each joint
+  int frame = 0;             ///< number in the tables, or kActive; not used with Axes
+  int tool = 0;              ///< number in the tables, or kActive; not used with Axes
 };
 
 struct JogPlan;
 
-/// Detail of its end.
+/// Detail of the outcome.
 struct JogReport {
   JogEnd ended_by = JogEnd::None;
-  int joint = -1;   ///< 0..5 that has come to its limit, or names the singularity; -1: none
-  std::string why;  ///< it came to rest, and the way out
+  /// 0..5: joint that reached its limit or rated speed, or that identifies the singularity; -1: none.
+  int joint = -1;
+  std::string why;  ///< why the arm came to rest, and the remedy
   JogMeans means = JogMeans::None;
-  double way_mm = 0;                              ///< that was made
-  double way_deg = 0;                             ///< the same
-  std::shared_ptr<const JogPlan> plan = nullptr;  ///< of a plan, for the run that it becomes
+  double way_mm = 0;                              ///< distance moved
+  double way_deg = 0;                             ///< angle moved
+  std::shared_ptr<const JogPlan> plan = nullptr;  ///< set by plan(), for the run
 };
 
-/// Detail of its progress.
+/// Detail of the progress.
 struct JogPlace {
   JogMeans means = JogMeans::None;
   double way_mm = 0;
   double way_deg = 0;
-  /// To where it would have to come to rest, as far as was looked: negative: nothing is in the way [mm, deg].
+  /// Distance to the position where the arm would have to stop, as far as it was checked [mm, deg]; negative:
+  /// no obstacle.
   double room_mm = -1;
   double room_deg = -1;
-  std::optional<Duration> keep_alive_age;  ///< nothing: it needs none
+  std::optional<Duration> keep_alive_age;  ///< nullopt: an increment, which needs none
 };
 
 [[nodiscard]] GoalTraits traitsOf(const JogGoal& goal);
 [[nodiscard]] std::vector<Failure> check(const JogGoal& goal);
-/// From where the robot stands, to where it would have to come to rest.
+/// Plans from the present position of the robot to the position where it would have to stop.
 [[nodiscard]] Outcome plan(const JogGoal& goal, const PlanningScene& scene);
 [[nodiscard]] std::unique_ptr<Run> runOf(const JogGoal& goal, GoalId id, const Outcome& planned, Instant now);
 

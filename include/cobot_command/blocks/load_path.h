@@ -1,5 +1,5 @@
-// Path loading, the instruction raM_Robot_Opr_LoadPath of Rockwell: points of an array go through a bounded
-// buffer to the robot, several goals one behind the other as if they were one. doc/path.md.
+// Path loading, the instruction raM_Robot_Opr_LoadPath of Rockwell. Points of an array go to the robot
+// through a bounded buffer. Consecutive goals move the robot as if they were one goal. doc/path.md.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@
 
 namespace cobot_command::blocks {
 
-/// How a path is sent. The numbers of the field; a caller may have given any other.
+/// How a path is sent: the values of the field. A caller may have sent any other value.
 enum class Execution { Auto = 0, Script = 1, Pvt = 2 };
 [[nodiscard]] const char* toString(Execution execution);
 
@@ -29,101 +29,102 @@ struct LoadPathGoal {
   static constexpr const char* kName = "load_path";
   [[nodiscard]] static ErrorTable errors();
 
-  std::vector<path::PathPoint> path;             ///< 1..1000; only those that are loaded are looked at
-  std::string path_fault;                        ///< why the points could not be read; empty: they could
-  std::optional<path::PathRefusal> poses_fault;  ///< why placeAtPoses() could not make them
-  int start_index = 0;                           ///< the first one to load
-  int number_of_moves = 0;                       ///< how many
-  path::TrackingFlags enable_tracking{};         ///< it waits until the tracking objects are so
+  std::vector<path::PathPoint> path;             ///< 1..1000; only the points to load are checked
+  std::string path_fault;                        ///< why the points could not be read; empty: they were read
+  std::optional<path::PathRefusal> poses_fault;  ///< why placeAtPoses() could not create the points
+  int start_index = 0;                           ///< first point to load
+  int number_of_moves = 0;                       ///< number of points to load
+  path::TrackingFlags enable_tracking{};  ///< the goal waits until the tracking objects have these states
   int execution = static_cast<int>(Execution::Auto);
-  bool allow_approximation = false;  ///< SCRIPT may round what a script cannot say
-  int buffer_mode = 0;               ///< against other blocks; behind another load_path it joins its chain
-  double max_deviation = 0;          ///< [mm]; 0: none
-  std::optional<arm::Pose> world;    ///< in the robot base [m], for targets in WORLD; nothing: not known
-  std::string world_fault;           ///< why it is not
+  bool allow_approximation = false;  ///< SCRIPT may round values that a script cannot express
+  int buffer_mode = 0;               ///< for other blocks; after another load_path the goal joins its chain
+  double max_deviation = 0;          ///< limit [mm]; 0: none
+  std::optional<arm::Pose> world;    ///< in the robot base [m], for targets in WORLD; nullopt: unknown
+  std::string world_fault;           ///< why it is unknown
   bool check_only = false;
 };
 
-/// Makes the points of poses: `goal.path` holds a template, which says all but where, and becomes one point
-/// for each of `count` poses: absolute, Cartesian, in the robot base. With a template move_id that is not 0
-/// each has that plus its index, so that those who are told only the move_id (PathStatus) can tell them
-/// apart. `pose_at` is asked for the poses that start_index and number_of_moves load, in their order, up to
-/// the first one that is wrong. What is wrong is left in `goal.poses_fault`, for check().
+/// Creates the points of a goal from poses. `goal.path` holds a template, which has all values except the
+/// position. It becomes one point for each of the `count` poses: absolute, Cartesian, in the robot base. If
+/// the move_id of the template is not 0, each point gets this move_id plus its index, so that receivers of
+/// the move_id alone (PathStatus) can distinguish the points. `pose_at` is called for the poses that
+/// start_index and number_of_moves select, in order, up to the first invalid one. The error is stored in
+/// `goal.poses_fault`, for check().
 void placeAtPoses(LoadPathGoal& goal, std::size_t count,
                   const std::function<FramedPose(std::size_t index)>& pose_at);
 
 struct LoadedPath;
 
-/// Detail of its end; also where it was refused.
+/// Detail of the outcome, also if the goal was refused.
 struct PathReport {
-  int error_index = -1;                   ///< of the point to blame, in the array; -1: none
-  int error_joint = -1;                   ///< 0..8; -1: none
-  int method_id = 0;                      ///< 1, 2, 3 ... in the order of acceptance; 0: it was not accepted
-  Execution execution = Execution::Auto;  ///< that was chosen; AUTO: none was
-  std::string execution_reason;           ///< why
-  std::vector<std::string> approximations;  ///< what a script says otherwise than the goal
-  std::vector<int> blends_lost;             ///< points that were to be blended past, and were stopped at
-  double max_joint_deviation = 0;           ///< measured against planned [deg]
-  double max_path_deviation = 0;            ///< [mm]
-  Duration lag{};                           ///< by which the plan fits the measured motion best
-  std::vector<StepReport> points;           ///< of those that were looked at, in their order
-  std::vector<JointPathPoint> joint_path;   ///< when it was checked, as a whole
-  std::shared_ptr<const path::PathPreview> preview = nullptr;  ///< of a plan, for people
-  std::shared_ptr<const LoadedPath> loaded = nullptr;          ///< the same, for the run that it becomes
+  int error_index = -1;                   ///< index in the array of the point that caused the error; -1: none
+  int error_joint = -1;                   ///< 0..8: joint that caused the error; -1: none
+  int method_id = 0;                      ///< number of the accepted goal: 1, 2, 3 ...; 0: not accepted
+  Execution execution = Execution::Auto;  ///< the chosen one; AUTO: none was chosen
+  std::string execution_reason;           ///< why it was chosen
+  std::vector<std::string> approximations;  ///< differences between the script and the goal
+  std::vector<int> blends_lost;             ///< points with blending at which the robot stopped
+  double max_joint_deviation = 0;           ///< largest difference between measured and planned [deg]
+  double max_path_deviation = 0;            ///< largest distance from the planned path [mm]
+  Duration lag{};                           ///< delay with which the plan fits the measured motion best
+  std::vector<StepReport> points;           ///< of the points that were checked, in order
+  std::vector<JointPathPoint> joint_path;   ///< of the whole path, if it was only checked
+  std::shared_ptr<const path::PathPreview> preview = nullptr;  ///< set by plan(), for display
+  std::shared_ptr<const LoadedPath> loaded = nullptr;          ///< set by plan(), for the run
 };
 
-/// Where the points are that a goal loads, in the words of the instruction. All add up to number_of_moves,
-/// active ones included.
+/// How the progress of a path is found.
 enum class ProgressSource {
-  Tag = 0,     ///< all that is told was told by queue tags
+  Tag = 0,     ///< all progress was reported by queue tags
   Stream = 1,  ///< by the joints of the status stream
   Plan = 2     ///< by time
 };
 
-/// Detail of its progress.
+/// Detail of the progress: the states of the points that the goal loads, in the terms of the instruction.
+/// Pending, queued, active and done points add up to number_of_moves.
 struct PathPlace {
-  bool loaded = false;          ///< the last point was handed to the buffer
+  bool loaded = false;          ///< the last point is in the buffer
   bool active = false;          ///< one of its points moves the robot
   int method_id = 0;            ///< as in PathReport
-  int active_path_point = -1;   ///< in the array; -1: none
+  int active_path_point = -1;   ///< index in the array; -1: none
   int active_move_id = 0;       ///< 0: none
   int pending_path_points = 0;  ///< not in the buffer yet
-  int queued_path_points = 0;   ///< in the buffer, and not active
+  int queued_path_points = 0;   ///< in the buffer and not active
   int done_path_points = 0;
-  bool waits_for_tracking = false;  ///< the buffer has a place for its first point, and its gate is closed
+  bool waits_for_tracking = false;  ///< the buffer has room for its first point, but its gate is closed
   ProgressSource source = ProgressSource::Plan;
 };
 
-/// Told of the run, to everyone: how the path of a chain goes, by its plan, as far as it has come. What is of
-/// a point or of a motion is 0 while none moves the robot.
+/// Published by the run for all clients: the planned values of a chain's path, at its present progress.
+/// Values of a point or of a motion are 0 while none moves the robot.
 struct PathStatus {
-  bool path_planner_active = false;  ///< a path is under way, from its first motion to its end
-  int active_move_id = 0;            ///< while two blend of the outgoing one; 0: none
-  int active_interpolation = 0;      ///< the numbers of that point
+  bool path_planner_active = false;  ///< a path is running, from its first motion to its end
+  int active_move_id = 0;            ///< while two points blend, the first one; 0: none
+  int active_interpolation = 0;      ///< of that point, as are the next values
   int active_type = 0;               ///< pose_type
   int active_type_id = 0;
   int active_ref_frame_type = 0;
   int active_ref_frame_id = 0;
-  double active_move_percent = 0;    ///< of its way
-  int blending_move_id = 0;          ///< that it blends into; 0: none
-  double blending_move_percent = 0;  ///< of the way of that one
+  double active_move_percent = 0;    ///< completed share of its motion
+  int blending_move_id = 0;          ///< point that the active one blends into; 0: none
+  double blending_move_percent = 0;  ///< completed share of the motion of that point
   double linear_velocity = 0;        ///< of the flange [mm/s]
   double linear_acceleration = 0;    ///< [mm/s^2]
   double angular_velocity = 0;       ///< [deg/s]
   double angular_acceleration = 0;   ///< [deg/s^2]
   double feedrate = 100;             ///< [%]
   double feedrate_effective = 100;   ///< [%]
-  bool gate_waits = false;           ///< for a tracking object
+  bool gate_waits = false;           ///< a path waits for a tracking object
   ProgressSource source = ProgressSource::Plan;
 };
 
 [[nodiscard]] GoalTraits traitsOf(const LoadPathGoal& goal);
 [[nodiscard]] std::vector<Failure> check(const LoadPathGoal& goal);
-/// The tools and frames that its poses are given in; of those that the tables have.
+/// The tools and frames of its poses, as far as the tables have them.
 [[nodiscard]] tables::Use usesOf(const LoadPathGoal& goal);
-/// All its points, behind the chain in front of it where there is one.
+/// Plans all points of the goal, after the preceding chain if there is one.
 [[nodiscard]] Outcome plan(const LoadPathGoal& goal, const PlanningScene& scene);
-/// path::PathPreview, also of points that were refused; none: nothing was planned.
+/// path::PathPreview, also of refused points; none: nothing was planned.
 [[nodiscard]] Detail previewOf(const LoadPathGoal& goal, const Outcome& planned);
 [[nodiscard]] std::unique_ptr<Run> runOf(const LoadPathGoal& goal, GoalId id, const Outcome& planned,
                                          Instant now);

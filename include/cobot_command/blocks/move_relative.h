@@ -1,4 +1,4 @@
-// CBT_MoveRelative (thesis 5.3.3): from where the robot then is.
+// CBT_MoveRelative (thesis 5.3.3): a move relative to the position of the robot at its start.
 #pragma once
 
 #include <vector>
@@ -32,13 +32,13 @@ struct MoveRelativeGoal {
   double accel_time = 0;
   bool blending_enable = false;
   double blending_value = 0;
-  bool disable_precise_positioning = false;  ///< the controller's own sense: false is precise
+  bool disable_precise_positioning = false;  ///< as in the controller: false is precise
   bool exit_node = false;
   int buffer_mode = 0;
   bool check_only = false;
 };
 
-/// Nothing: its number is of none.
+/// nullopt: data_format has no valid value.
 [[nodiscard]] std::optional<script::DataFormat> formatOf(const MoveRelativeGoal& goal);
 [[nodiscard]] GoalTraits traitsOf(const MoveRelativeGoal& goal);
 [[nodiscard]] std::vector<Failure> check(const MoveRelativeGoal& goal);

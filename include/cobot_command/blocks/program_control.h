@@ -1,5 +1,5 @@
-// CBT_ProgramControl (thesis 5.3.7): pause and resume. Never waits behind a command and never refuses because
-// of one.
+// CBT_ProgramControl (thesis 5.3.7): pause and resume. It never waits for a command and is never
+// refused because of one.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// The escape hatch: lines of script as they are. Queue tags stay the layer's business.
+// Raw script lines, for what no other block offers. They are sent unchanged. Only this layer inserts queue
+// tags.
 #pragma once
 
 #include <string>
@@ -12,16 +13,18 @@ struct RunScriptGoal {
   static constexpr const char* kName = "run_script";
   [[nodiscard]] static ErrorTable errors();
 
-  std::string script;         ///< lines separated by CR LF or LF; printable, at most 4096 bytes, no QueueTag
-  bool await_motion = false;  ///< Done when all its motions are; else when the controller accepted it
-  double reply_timeout = 0;  ///< for the OK, longer for lines that wait [s], 0.05..3600; 0: as for all others
+  std::string script;  ///< lines separated by CR LF or LF; printable, at most 4096 bytes, no QueueTag
+  /// true: Done when all its motions are done; false: Done when the controller has accepted it.
+  bool await_motion = false;
+  /// Timeout for the OK, longer for lines that wait [s], 0.05..3600; 0: as for all other scripts.
+  double reply_timeout = 0;
   int buffer_mode = 0;
 };
 
 [[nodiscard]] GoalTraits traitsOf(const RunScriptGoal& goal);
 [[nodiscard]] std::vector<Failure> check(const RunScriptGoal& goal);
-/// Without line ends, without empty lines, and without a ScriptExit() at the end: that is told by
-/// GoalTraits::exits_node, as it has to come behind the queue tag.
+/// The lines without line ends, without empty lines, and without a ScriptExit() at the end.
+/// GoalTraits::exits_node indicates this exit, because it must follow the queue tag.
 [[nodiscard]] Order orderOf(const RunScriptGoal& goal, const arm::Pose& base);
 
 }  // namespace cobot_command::blocks

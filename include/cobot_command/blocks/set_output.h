@@ -1,5 +1,5 @@
-// Sets a digital output, or the analog one, of the controller: in its turn, or at once beside whatever is
-// under way.
+// Sets a digital output, or the analog output, of the controller: as a queued command, or at once, in
+// parallel with the running command.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct SetOutputGoal {
   std::string module;    ///< "ControlBox" or "EndModule"; only the first has an analog output
   int output = 0;        ///< digital: 0..15 of the ControlBox, 0..3 of the EndModule; analog: 0
   double value = 0;      ///< digital: 0 or 1; analog: -10..10 [V]
-  bool at_once = false;  ///< beside whatever is under way; then buffer_mode has no meaning
+  bool at_once = false;  ///< in parallel with the running command; buffer_mode then has no meaning
   int buffer_mode = 0;
 };
 

@@ -1,5 +1,5 @@
-// Stops the robot and empties its queue (StopAndClearBuffer), on a path of its own: never waits behind a
-// command. Everything that is Busy or waits ends as CommandAborted. Done when the robot stands.
+// Stops the robot and empties its queue (StopAndClearBuffer). It never waits for a command. All running and
+// queued commands end as CommandAborted. Done when the robot is at standstill.
 #pragma once
 
 #include <vector>

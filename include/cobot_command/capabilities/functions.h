@@ -1,6 +1,6 @@
-// The functions of SRCI that this layer names: what each is here, and whether it is offered. One table, of
-// which the page doc/srci.md, the topic robot_data and the unsupported list of exchange_configuration are
-// made or checked.
+// The functions of SRCI that this layer lists: their counterparts here, and whether they are offered. The
+// page doc/srci.md, the topic robot_data and the unsupported list of exchange_configuration are made from
+// this table or checked against it.
 #pragma once
 
 #include <string>
@@ -9,36 +9,38 @@
 
 namespace cobot_command::capabilities {
 
-/// What a call to a function gets that is not offered. SRCI's number.
+/// Error of a call to a function that is not offered. SRCI number.
 inline constexpr int kNotOffered = 0x8F11;
 
-/// Why what needs the model of the arm is not offered by a node without one.
+/// Why a node without an arm model does not offer a function that needs one.
 inline constexpr const char* kNoArm =
-    "this node knows no model of the arm: set ~robot_model, or give it a robot_description";
+    "this node has no model of the arm: set ~robot_model or robot_description";
 
 enum class Offer {
   Whole,
-  Partly,    ///< but for what the reason says
-  NotBuilt,  ///< a TM controller could do it
-  NoWay      ///< a TM controller does not offer it to a Listen node, or does not have it at all
+  Partly,    ///< except for the limitation in the reason
+  NotBuilt,  ///< not implemented; a TM controller could do it
+  NoWay      ///< a TM controller does not have it, or does not offer it to a Listen node
 };
 
 struct Function {
   std::string_view srci;  ///< "GroupReset"
-  /// Our interfaces, by kind and name: "action stop", "topic messages, service read_messages". Empty: none.
+  /// Interfaces of this layer, by kind and name: "action stop", "topic messages, service read_messages".
+  /// Empty: none.
   std::string_view ours;
   Offer offer = Offer::Whole;
   std::string_view reason{};  ///< of Partly and NoWay
-  bool needs_arm = false;     ///< it is offered where the model of the arm is known
+  bool needs_arm = false;     ///< it is offered only if the arm model is known
 };
 
-/// In the order of the page.
+/// In the order of doc/srci.md.
 [[nodiscard]] const std::vector<Function>& functions();
 
-/// How a node offers a function.
+/// Whether a node offers a function.
 struct Support {
   bool offered = false;
-  std::string reason;  ///< why not, or what of it is missing; empty: it is offered whole
+  /// Why the function is not offered, or which part is missing; empty: it is offered completely.
+  std::string reason;
 };
 [[nodiscard]] Support supportOf(const Function& function, bool has_arm);
 

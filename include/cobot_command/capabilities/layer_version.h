@@ -1,11 +1,11 @@
-// Which version of this layer it is.
+// The version of this layer.
 #pragma once
 
 #include <string_view>
 
 namespace cobot_command::capabilities {
 
-/// That of package.xml: "0.1.0".
+/// From package.xml: "0.1.0".
 [[nodiscard]] std::string_view layerVersion();
 
 }  // namespace cobot_command::capabilities

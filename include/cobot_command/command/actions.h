@@ -1,4 +1,4 @@
-// What the core wants done and told, in this order.
+// The actions that the core requests from its driver, to be carried out in this order.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,7 @@
 
 namespace cobot_command::command {
 
-/// Open a TCP connection; answer with opened() or openFailed(), carrying the same connection id.
+/// Opens a TCP connection. The answer is opened() or openFailed() with the same connection id.
 struct OpenConnection {
   link::ConnectionId id;
   link::Channel channel;
@@ -33,7 +33,7 @@ struct OpenConnection {
   int port = 0;
   Duration timeout{};
 };
-/// Close a connection, or give up opening it. No event with its id is expected any more; late ones are
+/// Closes a connection, or gives up opening it. No event with its id is expected any more; late ones are
 /// ignored.
 struct CloseConnection {
   link::ConnectionId id;
@@ -42,7 +42,8 @@ struct SendBytes {
   link::ConnectionId id;
   std::string bytes;
 };
-/// It is its turn. A goal that waits (BufferMode::Buffered) is not accepted yet: only its progress is told.
+/// The goal's turn has come. A queued goal (BufferMode::Buffered) is not accepted yet: only its progress is
+/// published.
 struct GoalAccepted {
   blocks::Block block;
   blocks::GoalId goal;
@@ -52,21 +53,21 @@ struct GoalProgressed {
   blocks::GoalId goal;
   blocks::Progress progress;
 };
-/// The one and only end of a goal. Rejected comes without a GoalAccepted before it, CommandAborted also
-/// without one when the goal still waited, the others with one.
+/// The one and only end of a goal. Rejected has no GoalAccepted before it. CommandAborted has none if the
+/// goal was still queued. All others have one.
 struct GoalEnded {
   blocks::Block block;
   blocks::GoalId goal;
   blocks::Outcome outcome;
 };
-/// The commands that wait have fallen with the one in front of them. So no command of a goal up to and with
-/// `newest` begins any more, wherever it waits: those in the core are ended, and one that is submitted later
-/// ends at once as CommandAborted (fallsWithOthers()).
+/// The queued commands have ended together with a command before them. So no command of a goal up to and
+/// including `newest` begins any more, wherever it waits. Those in the core have ended. One that is submitted
+/// later ends at once as CommandAborted (fallsWithOthers()).
 struct CommandsFell {
   blocks::GoalId newest;
   std::string why;
 };
-/// A plan is to be made, beside the core; answer with planned(). Only with Planning::Beside.
+/// A plan must be made in parallel with the core; the answer is planned(). Only with Planning::Beside.
 struct PlanAsked {
   PlanJobId id;
   PlanLane lane;
@@ -80,21 +81,22 @@ struct GroupStateChanged {
 };
 struct RobotStatusReceived {
   link::RobotStatus status;
-  std::optional<bool> moving = {};  ///< by this frame and those before; nothing: not known, or not yet
+  /// According to this frame and those before; nullopt: not known, or not known yet.
+  std::optional<bool> moving = {};
 };
-/// Base and TCP that the next command will be taken in are others than before.
+/// The base and the TCP that apply to the next command have changed.
 struct ActiveFramesChanged {
   robot::ActiveFrames frames;
 };
-/// Tools, frames or loads are others than before.
+/// Tools, frames or loads have changed.
 struct TablesChanged {
   tables::DataTables tables;
 };
-/// Every plan is made with other limits of the joints than before.
+/// The joint limits that apply to every plan have changed.
 struct SoftwareLimitsChanged {
-  std::shared_ptr<const arm::ArmModel> arm;  ///< with these; never nullptr
+  std::shared_ptr<const arm::ArmModel> arm;  ///< with the new limits; never nullptr
 };
-/// Tracking objects, or the feedrate, are otherwise than before.
+/// Tracking objects or the feedrate have changed.
 struct PathControlsChanged {
   path::PathControls controls;
 };
@@ -103,19 +105,19 @@ struct PathPlanned {
   blocks::GoalId goal;
   std::vector<arm::Pose> tool_path;
 };
-/// A goal was planned as a whole, or refused by its plan; it may be planned anew, and then is told again.
+/// A goal was planned as a whole, or refused by its plan. A goal that is planned again is reported again.
 struct GoalPreviewed {
   blocks::Block block;
   blocks::GoalId goal;
-  blocks::Detail preview;  ///< what people are to see, of a kind of the block's own
+  blocks::Detail preview;  ///< what is shown to people, of the block's own type
 };
-/// For everyone, and not of one goal.
+/// News for all clients, not for one goal.
 struct RunTold {
   blocks::Block block;
-  blocks::Detail news;  ///< of a kind of the block's own
+  blocks::Detail news;  ///< of the block's own type
 };
-/// The flight recorder: every frame and every fault, sent and received.
-/// A fault holds the bytes that were dropped.
+/// The flight recorder: every frame and every fault, sent and received. A fault contains the bytes that were
+/// dropped.
 struct FrameTraced {
   Instant time;
   link::Channel channel;
@@ -123,9 +125,9 @@ struct FrameTraced {
   std::string bytes;
   std::string meaning;
 };
-/// For the log; it is a message, too.
+/// For the log; it is also a message.
 struct LogMessage {
-  Severity severity;  ///< Off: not wanted in the log
+  Severity severity;  ///< Off: not for the log
   std::string text;
   int code = 0;  ///< see Message
   std::string remedy = {};
@@ -133,7 +135,7 @@ struct LogMessage {
 struct MessageRaised {
   Message message;
 };
-/// Other messages are pending than before.
+/// The set of pending messages has changed.
 struct PendingChanged {
   std::vector<Message> pending;
 };

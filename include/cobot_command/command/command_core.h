@@ -1,7 +1,8 @@
-// The command core of one robot: goals and bytes in, frames and outcomes out.
+// The command core of one robot. Its inputs are goals and received bytes, its outputs are frames and
+// outcomes.
 //
-// It owns the link, the blocks and the arbiter. No socket, no thread, no clock: whoever drives it hands in
-// events with the time and carries out the actions. Not thread-safe: one thread owns it. Every goal gets
+// It owns the link, the blocks and the arbiter. It has no socket, no thread and no clock: its driver passes
+// in events with the time, and carries out the actions. Not thread-safe: one thread owns it. Every goal gets
 // exactly one GoalEnded.
 #pragma once
 
@@ -33,8 +34,8 @@ namespace cobot_command::command {
 
 class CommandCore {
  public:
-  /// `arm`: the model for planning and checks; without one, moves are sent unplanned. `planning`: who plans
-  /// what may take long.
+  /// `arm`: the model for planning and checks; without a model, moves are sent unplanned. `planning`: who
+  /// makes the plans that may take long.
   CommandCore(std::optional<arm::ArmModel> arm, link::LinkSettings settings, CorePorts ports = {},
               Planning planning = Planning::AtOnce);
   ~CommandCore();
@@ -43,85 +44,88 @@ class CommandCore {
 
   // --- Goals.
   void submit(blocks::GoalId id, const blocks::Goal& goal, Instant now);
-  /// The falling edge of Execute while Busy. A goal that has ended already is left alone. With what is under
-  /// way all that came until then falls. `newest`: the newest goal when the cancel was asked for; nothing:
-  /// that of now.
+  /// The falling edge of Execute while Busy. A goal that has already ended is ignored. If the goal is
+  /// running, all goals received up to then end too. `newest`: the newest goal when the cancel was requested;
+  /// nullopt: the newest goal now.
   void cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalId> newest = {});
-  /// Ends what is under way in its own time, without a stop: a move is finished and Done; a pick and place
-  /// ends behind its move as CommandAborted, behind its cycle as Done; a wait for an input ends at once, or
-  /// waits on. What waits ends as CommandAborted.
-  /// What is being stopped already is stopped. Returns what was found; FinishReport::foundAny() tells whether
-  /// there was anything, without which nothing has changed. `newest`: as with cancel().
+  /// Ends the running goal without a stop. A move is completed and ends as Done. pick_and_place and
+  /// run_program end after their move as CommandAborted, or after their cycle as Done. A wait for an input
+  /// ends at once, or continues. Queued goals end as CommandAborted. A goal that is already being stopped is
+  /// stopped. Returns what was found. If FinishReport::foundAny() is false, nothing has changed. `newest`: as
+  /// with cancel().
   FinishReport finish(blocks::FinishAfter after, Instant now, std::optional<blocks::GoalId> newest = {});
-  /// Keeps a link by itself whenever no connect goal is Busy: tries for ever, and again after each loss. A
-  /// cancelled connect goal ends that too. Precondition: the target is what a connect goal may be.
+  /// Maintains a link automatically while no connect goal is Busy: it tries without end, and again after each
+  /// loss. A cancelled connect goal ends this too. Precondition: the target has valid values of a connect
+  /// goal.
   void keepConnected(const blocks::ConnectGoal& target, Instant now);
-  /// Begins the end: no goal is taken any more, but for a stop and a pause, what waits ends, and a robot that
-  /// moves is told to stop. What is under way ends as CommandAborted when the robot stands. The connections
-  /// are kept for that.
+  /// Begins the shutdown. Only stops and pauses are accepted from now on. Queued goals end, and a moving
+  /// robot is stopped. The running goal ends as CommandAborted when the robot is at standstill. The
+  /// connections are kept for this.
   void retire(Instant now);
-  /// Nothing is under way any more, and no stop waits for its answer.
+  /// True: nothing is running any more, and no stop waits for its answer.
   [[nodiscard]] bool retired() const;
-  /// Ends everything: open goals as CommandAborted, connections closed. Nothing is sent to the robot
-  /// afterwards. Call retire() first, and wait a little, so that the stop is heard.
+  /// Ends everything: open goals as CommandAborted, connections are closed. Nothing is sent to the robot
+  /// afterwards. Call retire() first, and wait briefly, so that the controller receives the stop.
   void shutDown(Instant now);
 
-  /// Other deadlines, periods and limits from now on, also while connected. A deadline that runs already
-  /// stays; a lifesign that would come later than the new period says comes sooner. Limits (tolerances,
-  /// misses) count at once. A link that is up keeps its status port; `first_tag` and `planning_budget` stay
-  /// as they were. Precondition: all are in the ranges of the node's parameters (doc/parameters.md).
+  /// Changes deadlines, periods and limits, also while connected. A running deadline stays. A heartbeat that
+  /// is due later than the new period allows is sent earlier. Limits (tolerances, misses) apply at once. An
+  /// open link keeps its status port. `first_tag` and `planning_budget` stay as they were. Precondition: all
+  /// values are in the ranges of the node's parameters (doc/parameters.md).
   void useSettings(const link::LinkSettings& settings, Instant now);
 
-  /// All tables at once, as they were kept; for the start.
+  /// Sets all tables at once, as they were stored; for the start.
   void useTables(tables::DataTables tables);
-  /// Writes an entry, if it may be what it is to be and nobody uses it; else nothing changes.
+  /// Writes an entry, if it is valid and not in use; otherwise nothing changes.
   [[nodiscard]] TableAnswer writeTable(const TableWrite& write);
-  /// What that would answer now; for who has to keep the tables before they rule.
+  /// The present answer of writeTable(), for a caller that must store the tables before they apply.
   [[nodiscard]] TableAnswer tryTable(const TableWrite& write) const;
 
-  /// A tracking object, which holds paths back that want it otherwise. Nothing: it is so now; else why not.
+  /// Switches a tracking object. Paths that require another state wait. nullopt: it is switched; otherwise
+  /// the reason why not.
   [[nodiscard]] std::optional<std::string> switchTracking(const TrackingSwitch& request, Instant now);
 
-  /// How fast the time of paths runs, or whether they stand. It outlives goals. What is not sent goes at the
-  /// new one, what is at the controller keeps its own. `reply`: called once, at once or later.
+  /// Sets the feedrate, which is the time scale of paths, or pauses or resumes them. It stays when a goal
+  /// ends. Points that are not sent get the new feedrate; motions at the controller keep their own. `reply`:
+  /// called once, at once or later.
   void setFeedrate(const FeedrateRequest& request, const FeedrateReply& reply, Instant now);
 
-  /// What the node wants of the interface; for the next goal of exchange_configuration, and at once where it
-  /// is required.
+  /// The node's rules for the interface. They apply to the next goal of exchange_configuration, and at once
+  /// to whether it is required.
   void useExchangeRules(const ExchangeRules& rules);
 
-  /// 0..100 %: for what is planned and sent from now on; 0 holds the robot. `reply`: called once, at once or
-  /// later.
+  /// 0..100 %, for everything that is planned and sent from now on; 0 pauses the robot. `reply`: called once,
+  /// at once or later.
   void setSpeedOverride(double percent, const OverrideReply& reply, Instant now);
-  /// For goals that come from now on.
+  /// For goals received from now on.
   [[nodiscard]] DynamicsAnswer writeDefaults(const blocks::DefaultDynamics& defaults);
   [[nodiscard]] const blocks::DefaultDynamics& defaults() const;
-  /// Nothing without a model.
+  /// nullopt: there is no arm model.
   [[nodiscard]] std::optional<ReferenceDynamics> referenceDynamics() const;
-  /// Between which angles every motion is planned, if nothing is under way; else nothing changes.
+  /// Sets the joint limits of every plan, if nothing is running; otherwise nothing changes.
   [[nodiscard]] DynamicsAnswer writeLimits(const SoftwareLimits& limits, Instant now);
-  /// Nothing without a model.
+  /// nullopt: there is no arm model.
   [[nodiscard]] std::optional<LimitsReport> limits() const;
 
-  /// Stops what is under way, and keeps it with all that waits, to go on later. `reply`: called once, at once
-  /// or when the robot stands.
+  /// Stops the running goal, and suspends it together with all queued goals. `reply`: called once, at once or
+  /// when the robot is at standstill.
   void interrupt(const InterruptReply& reply, Instant now);
-  /// What was interrupted goes on, if the robot is where it was. `reply`: called once, at once.
+  /// Resumes the suspended goals, if the robot is where it was interrupted. `reply`: called once, at once.
   void goOn(const InterruptReply& reply, Instant now);
 
-  /// Somebody holds the jog that is under way; without one nothing comes of it.
+  /// A keep-alive for the running jog; ignored if there is none.
   void keepJogging(Instant now);
 
-  /// Other settings for the exchange_configuration goal that is enabled, as the goal itself cannot change.
+  /// Changes the settings of the enabled exchange_configuration goal, because the goal itself cannot change.
   [[nodiscard]] ExchangeAnswer updateExchange(const blocks::ExchangeSettings& settings, Instant now);
 
   // --- Messages.
-  /// Acknowledges all errors and warnings that are pending. Not those of the controller as long as it shows
-  /// an error: that cannot be cleared from here.
+  /// Acknowledges all pending errors and warnings. Those of the controller stay while it shows an error,
+  /// which cannot be cleared from here.
   ResetAnswer reset(Instant now);
-  /// A goal ended that never came to the core.
+  /// Reports the end of a goal that never reached the core.
   void tellEnd(blocks::Block block, const blocks::Outcome& outcome, Instant now);
-  /// Of the last hundred, those of that severity and above behind that id, in their order.
+  /// Of the last hundred messages, those of at least that severity and with a later id, in order.
   [[nodiscard]] std::vector<Message> messages(Severity least, std::uint32_t after_id) const;
 
   // --- Connections.
@@ -130,12 +134,12 @@ class CommandCore {
   void received(link::ConnectionId id, std::string_view bytes, Instant now);
   void closed(link::ConnectionId id, const std::string& reason, Instant now);
 
-  /// The answer to PlanAsked. One that nobody waits for any more is left alone.
+  /// The answer to PlanAsked. An answer that is no longer needed is ignored.
   void planned(PlanJobId id, PlanAnswer answer, Instant now);
 
   // --- Time.
   void advance(Instant now);
-  /// When advance() has to be called at the latest; nothing while there is nothing to wait for.
+  /// Latest time to call advance(); nullopt: there is nothing to wait for.
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
 
   [[nodiscard]] std::vector<Action> takeActions();

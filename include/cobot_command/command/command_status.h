@@ -1,4 +1,4 @@
-// What everyone may know of the command layer at any time: the latched status of one robot.
+// The latched status of one robot's command layer, for all clients.
 #pragma once
 
 #include <chrono>
@@ -30,28 +30,30 @@ struct BlockOutputs {
 struct CommandStatus {
   enum class LinkState { Disconnected, Connecting, Probing, NotListening, Ready };
   LinkState link = LinkState::Disconnected;
-  std::string diagnosis;  ///< plain words: "connection refused: no project is running on the controller"
+  std::string diagnosis;  ///< in plain words: "connection refused: no project is running on the controller"
   std::string host;
   int port = 0;
-  std::string listen_node;                ///< message of the Listen node, while in it
-  bool status_stream = false;             ///< the status link delivers
-  std::string status_diagnosis;           ///< why it does not, or not wholly, and what that means
+  std::string listen_node;     ///< entry message of the Listen node, while the flow is in it
+  bool status_stream = false;  ///< the status link delivers data
+  /// Why there is no status stream, or why it is incomplete, and what follows from that.
+  std::string status_diagnosis;
   std::optional<Instant> last_connected;  ///< LastConnTime
   std::optional<Instant> last_lost;       ///< LastLostTime
-  int queue_depth = 0;                    ///< commands that are under way or wait: the sum of the next two
-  int commands_under_way = 0;             ///< whose turn it is; a cycle, or a wait, counts as one
-  int commands_waiting = 0;               ///< kept in this layer, not sent
-  /// WaitingReturn (thesis 5.3.1.2): the robot is occupied, a command with BufferMode::Refuse is refused.
+  int queue_depth = 0;                    ///< running and queued commands: the sum of the next two
+  int commands_under_way = 0;             ///< commands whose turn has come; a cycle, or a wait, counts as one
+  int commands_waiting = 0;               ///< queued in this layer, not sent
+  /// WaitingReturn (thesis 5.3.1.2): the robot is occupied, and a command with BufferMode::Refuse is refused.
+  /// Also true while a goal is suspended; Refuse is accepted then.
   bool waiting_return = false;
   std::vector<int> open_tags;
-  std::uint64_t late_replies = 0;  ///< replies that nobody waited for: counted, never applied
+  std::uint64_t late_replies = 0;  ///< replies that nothing waited for: counted, never applied
   std::uint64_t decode_faults = 0;
   std::vector<BlockOutputs> blocks;
 
   friend bool operator==(const CommandStatus& a, const CommandStatus& b);
 };
 [[nodiscard]] const char* toString(CommandStatus::LinkState state);
-/// Why no script can be sent now; empty: it can.
+/// Why no script can be sent now; empty: it can be sent.
 [[nodiscard]] std::string whyNotReady(const CommandStatus& status);
 
 }  // namespace cobot_command::command

@@ -1,4 +1,4 @@
-// Whom the core of a robot asks, in the middle of an event.
+// The functions through which the core of a robot gets information during an event.
 #pragma once
 
 #include <functional>
@@ -13,15 +13,16 @@ namespace cobot_command::command {
 
 /// Each may be empty.
 struct CorePorts {
-  /// When a goal with a target in a frame has waited; without it, targets stay where they were.
+  /// Called for a goal with a target in a frame that has waited; if empty, targets count as unmoved.
   blocks::FrameFinder frames;
-  /// When commands fall by what happens, not by a goal; without it, it is the newest that was submitted.
+  /// Called when commands end because of an event and not of a goal; if empty, the newest submitted goal
+  /// counts.
   NewestGoal newest;
-  /// Before a frame leaves that may move the robot; without it, all may.
+  /// Called before a frame that may move the robot is sent; if empty, all frames may be sent.
   Gate gate;
-  /// Who leads run_program goals; nullptr: the robot is in no cell.
+  /// Guides run_program goals; nullptr: the robot is in no cell.
   blocks::ProgramGuidePtr program;
-  /// Whether somebody listens to the frames of that channel (FrameTraced); without it, somebody always does.
+  /// True: the frames of that channel (FrameTraced) have a subscriber; if empty, they always have one.
   std::function<bool(link::Channel channel)> traced;
 };
 

@@ -1,5 +1,5 @@
-// What 100 % means, what moves have whose own value is negative, and between which angles joints are planned:
-// asked for and answered (SRCI: ReferenceDynamics, DefaultDynamics, RobotSWLimits).
+// Requests and answers for the reference of 100 %, the defaults of moves and the software joint limits (SRCI:
+// ReferenceDynamics, DefaultDynamics, RobotSWLimits).
 #pragma once
 
 #include <optional>
@@ -10,30 +10,30 @@
 
 namespace cobot_command::command {
 
-/// The numbers of SRCI.
+/// SRCI numbers.
 namespace dynamics_error {
-inline constexpr int kDefaultDynamics = 0x8D07;    ///< a default that is out of its range
-inline constexpr int kReferenceDynamics = 0x8D25;  ///< there are none: no model of the arm is known
+inline constexpr int kDefaultDynamics = 0x8D07;    ///< a default is out of its range
+inline constexpr int kReferenceDynamics = 0x8D25;  ///< no reference: the arm model is unknown
 inline constexpr int kLimitsInvalid = 0x8D15;
 inline constexpr int kLimitsWhileMoving = 0x8C53;
 inline constexpr int kOutsideLimits = 0x8C54;
 }  // namespace dynamics_error
 
-/// What 100 % are of.
+/// The values that correspond to 100 %.
 struct ReferenceDynamics {
   arm::JointVector joint_speeds = arm::JointVector::Zero();  ///< PTP [rad/s]
   double tcp_speed = 0;                                      ///< Line and Circle [m/s]
-  double turn_speed = 0;                                     ///< the turns of these [rad/s]
+  double turn_speed = 0;                                     ///< rotations of Line and Circle [rad/s]
 };
 
-/// Between which angles every motion is planned.
+/// The joint limits of every plan.
 struct SoftwareLimits {
   arm::JointVector lower = arm::JointVector::Zero();  ///< [rad]
   arm::JointVector upper = arm::JointVector::Zero();  ///< [rad]
 };
 
 [[nodiscard]] SoftwareLimits limitsOf(const arm::ArmModel& arm);
-/// Of the first joint that is wrong, in words: they have to be within those of the model.
+/// Error of the first invalid joint, in words: the limits must be within those of the model.
 [[nodiscard]] std::optional<std::string> faultIn(const SoftwareLimits& limits, const SoftwareLimits& model);
 
 struct DynamicsAnswer {
@@ -43,8 +43,8 @@ struct DynamicsAnswer {
 };
 
 struct LimitsReport {
-  SoftwareLimits rule;   ///< with which every plan is made
-  SoftwareLimits model;  ///< never wider than these
+  SoftwareLimits rule;   ///< limits that apply to every plan
+  SoftwareLimits model;  ///< limits of the model; `rule` is never wider
 };
 
 }  // namespace cobot_command::command

@@ -1,4 +1,4 @@
-// What the node wants of the interface of SRCI, whatever a goal says.
+// The node's rules for the interface of SRCI, independent of a goal.
 #pragma once
 
 #include <chrono>
@@ -10,21 +10,23 @@
 
 namespace cobot_command::command {
 
-/// Who wins where this layer and the controller's project have different values of an entry.
+/// Which side takes precedence if this layer and the controller's project have different values of an entry.
 enum class SyncMode : int {
-  None = 0,            ///< nobody: the difference is told
-  ClientToServer = 1,  ///< ours, which is written to the controller
-  ServerToClient = 2,  ///< the controller's, which is taken into our table
-  Automatic = 3        ///< who has changed it
+  None = 0,            ///< none: the difference is only reported
+  ClientToServer = 1,  ///< this layer: its value is written to the controller
+  ServerToClient = 2,  ///< the controller: its value is copied into the table of this layer
+  Automatic = 3        ///< the side that has changed the value
 };
 
-/// Of one set; numbers of SyncMode, as people give them.
+/// Of one set. The integers are values of SyncMode as given in the parameters; any value may be given.
 struct SyncModes {
-  int start = 0;  ///< at the first look behind the enabling; 0..2, as nobody knows then who has changed what
-  int run = 0;    ///< from then on; 0..3
+  /// For the first comparison after enabling; 0..2, because it is not known yet which side has changed a
+  /// value.
+  int start = 0;
+  int run = 0;  ///< for all later comparisons; 0..3
 };
 
-/// One for each set that both sides have, by the kinds of its entries.
+/// One value for each data set that both sides have, by the kinds of its entries.
 template <class Of>
 struct BySet {
   Of tools{};
@@ -49,11 +51,11 @@ struct BySet {
 
 struct ExchangeRules {
   bool required = false;                           ///< motions are refused while the interface is not enabled
-  Duration sync_period = std::chrono::seconds(1);  ///< between two looks at the controller's values
+  Duration sync_period = std::chrono::seconds(1);  ///< between two reads of the controller's values
   BySet<SyncModes> sync;
 };
 
-/// The first mode that does not exist, or that does not at the start; in words.
+/// The first mode that does not exist, or that is invalid at the start; in words.
 [[nodiscard]] std::optional<std::string> faultIn(const ExchangeRules& rules);
 
 }  // namespace cobot_command::command

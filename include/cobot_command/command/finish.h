@@ -1,4 +1,4 @@
-// What was found when everything under way was to end in its own time.
+// The result of a request to end the running command without a stop.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,18 @@
 
 namespace cobot_command::command {
 
-/// Why what waits ends then.
-inline constexpr const char* kNothingBehindFinish =
-    "what is under way was to be finished, and nothing behind it";
+/// Reason for which queued goals then end.
+inline constexpr const char* kNothingBehindFinish = "only the running command was to be finished";
 
 struct FinishReport {
-  /// Comes to its end in its own time, and its result tells which: also a stop, or a command that is being
-  /// stopped already, which finish changes nothing of.
+  /// The running block, which comes to its end; its result shows which end. It may also be a stop, or a
+  /// command that is already being stopped: finish does not change those.
   std::optional<blocks::Block> under_way;
-  int dropped = 0;        ///< goals that waited behind it, and have ended
-  bool moves_on = false;  ///< what nobody waits for: blended motions, say, that are done for their goals
+  int dropped = 0;  ///< queued goals that have ended
+  /// Motions that no goal waits for any more, for example blended ones, which are done for their goals.
+  bool moves_on = false;
 
-  /// There was something to finish.
+  /// True: there was something to finish.
   [[nodiscard]] bool foundAny() const { return under_way || dropped > 0; }
 };
 /// "move_absolute comes to its end; ...", or that there is nothing to finish.

@@ -1,4 +1,4 @@
-// The gate: asked before the first byte of a frame that may move the robot, or lets its project go on.
+// The gate: called before the first byte of a frame that may move the robot or let its project continue.
 // Default: open.
 #pragma once
 
@@ -16,24 +16,25 @@
 
 namespace cobot_command::command {
 
-/// What is about to leave.
+/// The frame that is about to be sent.
 struct Departure {
-  blocks::Block block{};           ///< whose errors a refusal is one of
-  std::vector<std::string> lines;  ///< without queue tag, and without the exit from the node behind them
+  blocks::Block block{};           ///< block that has the error of a refusal
+  std::vector<std::string> lines;  ///< without queue tag, and without the exit from the node after them
   bool asks_permit = false;        ///< it is a frame of a run_program goal
-  bool planned = false;            ///< false: nobody knows what the lines do
-  std::vector<motion::TrajectoryPtr> motions;  ///< of planned ones, in their order
-  std::optional<arm::JointVector> start;       ///< where what is in front of it leaves the arm [rad]
+  bool planned = false;            ///< false: the effect of the lines is unknown
+  std::vector<motion::TrajectoryPtr> motions;  ///< of a planned frame, in their order
+  std::optional<arm::JointVector> start;       ///< where the preceding commands leave the arm [rad]
   arm::Pose tcp = arm::Pose::Identity();       ///< of the motions, in the flange [m]
-  std::optional<arm::Pose> base;               ///< active behind them, in the robot base [m]
-  /// The Listen node is left with it, or behind it: the project goes on then, and may move the arm too.
+  std::optional<arm::Pose> base;               ///< active after the motions, in the robot base [m]
+  /// The Listen node is left with or after this frame: the project then continues, and may move the arm too.
   bool leaves_node = false;
 };
 
-/// Why it must not leave now; nothing: it may. Asked in the core's thread, in the event in which the frame
-/// would leave: what it says holds for that instant, and is no promise that the frame leaves. Not asked are a
-/// stop, a pause, outputs and settings; nor is a RESUME of program_control, as what it lets go on has passed
-/// the gate, or was there before. Precondition of a refusal: the tables of that block have its id.
+/// Why the frame must not be sent now; nullopt: it may be sent. Called on the core's thread, in the event in
+/// which the frame would be sent. The answer is valid for that instant, and does not mean that the frame is
+/// sent. Not called for a stop, a pause, outputs and settings; nor for a RESUME of program_control, because
+/// the resumed commands have passed the gate already, or existed before. Precondition of a refusal: the error
+/// table of that block has its id.
 using Gate = std::function<std::optional<blocks::Failure>(const Departure& departure, Instant now)>;
 
 }  // namespace cobot_command::command

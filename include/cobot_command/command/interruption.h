@@ -1,4 +1,4 @@
-// Interrupting what is under way so that it can go on later, from where the robot stood (SRCI:
+// Interruption of the running goals, so that they can continue later from where the robot stopped (SRCI:
 // GroupInterrupt, GroupContinue).
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace cobot_command::command {
 
-// SRCI's numbers, of the two services alone.
+// SRCI numbers that only these two services have.
 inline constexpr int kContinueNotEnabled = 0x8C01;     ///< emergency stop, or an error of the controller
 inline constexpr int kContinueNotThere = 0x8C02;       ///< the robot is not where it was interrupted
 inline constexpr int kContinueWhileStopping = 0x8C43;  ///< the robot moves, or is being stopped
@@ -21,19 +21,20 @@ struct InterruptAnswer {
   int error_id = 0;
   std::string message;  ///< in plain words
 };
-/// Called once: at once, or when the robot stands.
+/// Called once: at once, or when the robot is at standstill.
 using InterruptReply = std::function<void(const InterruptAnswer& answer)>;
 
-/// What targets, and the model of the controller, stand on.
+/// The settings of the controller on which targets and its model depend.
 struct Setup {
   robot::ActiveFrames frames;
-  std::optional<double> load;  ///< as it was commanded [kg]; nothing: not, or not known any more
+  std::optional<double> load;  ///< as commanded [kg]; nullopt: not commanded, or no longer known
 };
 
-/// Where the robot was interrupted, and how it was set up.
+/// Where the robot was interrupted, with its settings.
 struct PrimaryPosition {
-  arm::JointVector joints;                      ///< [rad]
-  std::optional<arm::JointVector> segment_end;  ///< of the motion that it was at [rad]; none: it was at none
+  arm::JointVector joints;  ///< [rad]
+  /// End of the interrupted motion [rad]; nullopt: there was no motion.
+  std::optional<arm::JointVector> segment_end;
   Setup setup;
 };
 

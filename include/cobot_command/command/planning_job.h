@@ -1,4 +1,4 @@
-// Planning beside the core: a piece of work that needs nothing of the core, and its answer.
+// Planning in parallel with the core: a piece of work that needs nothing of the core, and its answer.
 #pragma once
 
 #include <cstdint>
@@ -11,28 +11,28 @@
 
 namespace cobot_command::command {
 
-/// Counts up; 0: none.
+/// Increasing; 0: none.
 using PlanJobId = std::uint64_t;
 
-/// Each is to be worked on by itself, one plan after the other: what is to be sent now waits for nothing
-/// else.
+/// The lanes are processed independently, each one plan after the other: a command to send waits for no other
+/// plans.
 enum class PlanLane { Send, Other };
 
-/// A command with its plan; for the core alone.
+/// A command with its plan; used only by the core.
 struct PlannedCommand;
 
 struct PlanAnswer {
-  blocks::Outcome outcome;                            ///< Rejected, or what was found
+  blocks::Outcome outcome;                            ///< Rejected, or the result
   std::vector<arm::Pose> tool_path;                   ///< the TCP in the robot base, for people; may be empty
-  std::shared_ptr<PlannedCommand> command = nullptr;  ///< of one command that is to be sent
-  blocks::Detail preview = {};                        ///< of a whole goal, for people; a kind of its block's
+  std::shared_ptr<PlannedCommand> command = nullptr;  ///< of one command to send
+  blocks::Detail preview = {};  ///< of a whole goal, for people; the type belongs to its block
 };
 
-/// May be done on any thread, once. Ends early, with any answer, when nobody waits for it any more.
+/// May run on any thread, once. Ends early, with any answer, when its answer is no longer needed.
 using PlanWork = std::function<PlanAnswer()>;
 
-/// Who plans: the core itself, in the middle of the event; or the driver, which gets PlanAsked, and answers
-/// with planned().
+/// Who plans: the core itself, during the event; or the driver, which gets PlanAsked and answers with
+/// planned().
 enum class Planning { AtOnce, Beside };
 
 }  // namespace cobot_command::command

@@ -1,4 +1,5 @@
-// How fast all that is commanded here is to be, beside the speeds of the goals (SRCI: ChangeSpeedOverride).
+// The speed override of all commands of this layer, which multiplies the speeds of the goals (SRCI:
+// ChangeSpeedOverride).
 #pragma once
 
 #include <functional>
@@ -6,20 +7,21 @@
 
 namespace cobot_command::command {
 
-/// SRCI's number: it is not within 0..100 %.
+/// SRCI number: the value is not within 0..100 %.
 inline constexpr int kSpeedOverrideRange = 0x8D23;
 
-/// It counts for what is sent from now on, and holds until another one is set.
+/// Applies to everything that is sent from now on, until another value is set.
 class SpeedOverride {
  public:
-  /// 0..100; at 0 the robot is held, and nothing is sent.
+  /// 0..100; at 0 the robot is paused, and nothing is sent.
   void set(double percent) {
     percent_ = percent;
     if (percent > 0) share_ = percent / 100;
   }
   [[nodiscard]] double percent() const { return percent_; }
   [[nodiscard]] bool isZero() const { return percent_ == 0; }
-  /// Of the speeds of what is planned and sent, (0, 1]; at 0 % that of before: it goes on with it.
+  /// Share of the speeds that are planned and sent, (0, 1]. At 0 % the previous share, with which the robot
+  /// resumes.
   [[nodiscard]] double share() const { return share_; }
 
  private:
@@ -31,8 +33,8 @@ struct OverrideAnswer {
   bool success = false;
   int error_id = 0;
   std::string message;  ///< in plain words
-  /// [%] of its own speeds that what moves the robot now has, times the project speed; of what is sent next,
-  /// where nothing does. 0: the robot is held.
+  /// [%] of its own speeds at which the present motion runs, times the project speed; without a motion: of
+  /// the next one. 0: the robot is paused.
   double effective = 0;
 };
 

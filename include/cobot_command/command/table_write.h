@@ -1,4 +1,4 @@
-// An entry of the tables of tools, frames and loads that somebody wants written, and what became of it.
+// A request to write an entry of the tables of tools, frames and loads, and its result.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,15 @@
 
 namespace cobot_command::command {
 
-/// Nothing in it: the entry becomes empty.
+/// nullopt in `entry`: the entry becomes empty.
 struct TableWrite {
   int index = 0;
   std::variant<std::optional<tables::Tool>, std::optional<tables::Frame>, std::optional<tables::Load>> entry;
 };
 
 struct TableWritten {
-  tables::DataTables tables;  ///< as they are now
-  bool changed = false;       ///< false: it was written already
+  tables::DataTables tables;  ///< present tables
+  bool changed = false;       ///< false: the entry already had this value
 };
 using TableAnswer = Result<TableWritten, tables::Refusal>;
 

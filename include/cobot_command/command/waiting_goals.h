@@ -1,4 +1,4 @@
-// What holds for goals that wait, wherever they do: in the core for their turn, in front of it for a frame or
+// Rules for waiting goals, wherever they wait: in the core for their turn, or before the core for a frame or
 // a file.
 #pragma once
 
@@ -10,22 +10,22 @@
 
 namespace cobot_command::command {
 
-/// In each of the places where they wait.
+/// Maximum number in each place where goals wait.
 inline constexpr std::size_t kMostWaiting = 64;
 
-/// 80 % of those that can wait, and of the one under way: time to send no more.
+/// 80 % of the goals that can wait and run: clients should send no more.
 inline constexpr int kManyCommands = (static_cast<int>(kMostWaiting) + 1) * 4 / 5;
 
-/// The newest goal that has come anywhere, also where goals wait before they are submitted. Goals count up
-/// in the order in which they came.
+/// The newest goal that was received anywhere, even if goals wait before they are submitted. Goal ids
+/// increase in the order of reception.
 using NewestGoal = std::function<blocks::GoalId()>;
 
-/// Whether it ends with a command in front of it that fails or is cancelled. What begins nothing at the robot
-/// does not, nor what halts it or makes its connection.
+/// True: the goal ends together with a preceding command that fails or is cancelled. False: it starts nothing
+/// at the robot, it stops or pauses the robot, or it makes the connection.
 [[nodiscard]] bool fallsWithOthers(const blocks::Goal& goal);
 
-/// Of a goal that comes when `waiting` goals wait already. Precondition: the goals of that block may wait
-/// (fallsWithOthers()).
+/// For a goal that arrives while `waiting` goals are already queued. Precondition: goals of that block can be
+/// queued (fallsWithOthers()).
 [[nodiscard]] blocks::Outcome refusedAsTooMany(blocks::Block block, std::size_t waiting);
 
 }  // namespace cobot_command::command

@@ -1,4 +1,4 @@
-// Deadlines that may not be there.
+// Operations on optional deadlines.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace cobot_command {
 
-/// The one that comes first; nothing only when there is none.
+/// The earlier of two deadlines; std::nullopt only if both are missing.
 [[nodiscard]] constexpr std::optional<Instant> earlier(const std::optional<Instant>& a,
                                                        const std::optional<Instant>& b) {
   if (!a) return b;

@@ -1,6 +1,5 @@
-// Text from outside on its way to people: what a peer, a file, a goal or an operator says goes through here
-// before it reaches a result, a status, a log or a trace. What comes out is bounded, UTF-8, and has no
-// characters that are not to be seen.
+// Escapes and bounds text from outside (a peer, a file, a goal, an operator) before it enters a result, a
+// status, a log or a trace. The output is bounded, is UTF-8 and has no invisible characters.
 #pragma once
 
 #include <cstddef>
@@ -9,29 +8,29 @@
 
 namespace cobot_command {
 
-/// Longer than any name, message or error text of a controller that is known.
+/// Longer than every known name, message or error text of a controller.
 inline constexpr std::size_t kForeignTextLimit = 256;  // [bytes]
-/// What an error quotes of something that is wrong.
+/// Limit of a quotation in an error text.
 inline constexpr std::size_t kQuoteLimit = 64;  // [bytes]
 
-/// So many bytes "..." has, which stand behind a text that was cut.
+/// Length of the "..." after a truncated text [bytes].
 inline constexpr std::size_t kCutMark = 3;
 
-/// At most `limit` bytes of the text, escaped, and "..." when that is not all.
+/// The escaped text. If it exceeds `limit` bytes it is truncated and "..." is appended.
 [[nodiscard]] std::string foreignText(std::string_view bytes, std::size_t limit = kForeignTextLimit);
 
-/// All of it, for who wants to see every byte: control characters and bytes that are not UTF-8 shown as \r,
-/// \n, \t, \xNN; also the characters of Unicode that steer a terminal or a line and cannot be seen. At most
-/// four times as long.
+/// The whole text, for a reader who needs every byte. Control characters, bytes that are not UTF-8, and
+/// invisible Unicode characters that control a terminal or a line are written as \r, \n, \t, \xNN. At most
+/// four times as long as the input.
 [[nodiscard]] std::string escaped(std::string_view bytes);
 
-/// A whole line of a log, error, answer or message on its way out: what is foreign in it does no harm, even
-/// where it was not put in as foreignText(). Not bounded. Every sink of texts goes through it: the boards of
-/// the core, the log of the simulated controller, what nodes and programs print (test/checks/check_texts.py).
+/// Escapes a whole line of a log, error, answer or message before output, including foreign text that did not
+/// pass through foreignText(). Not bounded. Every text output uses it: the message boards of the core, the
+/// log of the simulated controller, the output of nodes and programs (test/checks/check_texts.py).
 [[nodiscard]] std::string forPeople(std::string text);
 
 [[nodiscard]] bool isUtf8(std::string_view bytes);
-/// Of ASCII.
+/// ASCII control characters.
 [[nodiscard]] constexpr bool isControl(char c) {
   return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
 }

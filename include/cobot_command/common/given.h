@@ -1,4 +1,4 @@
-// The value of a setting as somebody gave it: a typed parameter, or the text of an option.
+// The value of a setting as received: a typed parameter, or the text of a command-line option.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace cobot_command {
 
-/// What no setting can be: a struct, a date, bytes. `name` says which, for messages.
+/// A type that no setting accepts: a struct, a date, bytes. `name` names the type in messages.
 struct OtherKind {
   std::string name;
 };
@@ -19,9 +19,9 @@ struct Given {
   std::variant<bool, int, double, std::string, GivenList, OtherKind> value;
 };
 
-/// In words, for messages: `5890.0`, `the text "abc"`, `a list of 3`. Long texts are cut.
+/// Text for messages: `5890.0`, `the text "abc"`, `a list of 3`. Long texts are truncated.
 [[nodiscard]] std::string describe(const Given& given);
-/// A text in quotes for messages: without control characters, and not longer than a line.
+/// The text in quotes, for messages: without control characters, at most one line long.
 [[nodiscard]] std::string quoted(const std::string& text);
 
 }  // namespace cobot_command

@@ -1,4 +1,4 @@
-// What can be the name or the address of a host; whether there is one, only the network knows.
+// Checks the syntax of a host name or address. Does not check whether the host exists.
 #pragma once
 
 #include <algorithm>

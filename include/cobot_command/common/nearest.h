@@ -1,4 +1,4 @@
-// The name that a misspelt one was meant to be.
+// Suggests the correct name for a misspelled one.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace cobot_command {
 
-/// The known name with the fewest letters to add, drop, change or swap; empty when none is close.
+/// The known name with the fewest inserted, deleted, replaced or swapped letters; empty if none is close.
 [[nodiscard]] std::string nearestOf(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace cobot_command

@@ -1,6 +1,7 @@
 // Result<T, E>: either a value or the reason why there is none.
 //
-// Every operation that can be refused returns one; it must be looked at. Exceptions do not cross rooms.
+// Every operation that can be refused returns one, and the caller must check it. Exceptions do not cross
+// rooms (the modules of src/).
 #pragma once
 
 #include <utility>
@@ -15,7 +16,7 @@ class [[nodiscard]] Result : public tl::expected<T, E> {
   using tl::expected<T, E>::expected;
 };
 
-/// Makes the refused side of a Result: `return refuse(MyError{...});`
+/// Creates a Result that holds an error: `return refuse(MyError{...});`
 template <class E>
 [[nodiscard]] tl::unexpected<std::decay_t<E>> refuse(E&& error) {
   return tl::unexpected<std::decay_t<E>>(std::forward<E>(error));

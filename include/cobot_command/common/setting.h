@@ -1,7 +1,7 @@
-// Settings as rows of a table: a name, what it can be, what it means, and the variable that it sets.
+// Settings as rows of a table: name, allowed values, meaning, and the variable to set.
 //
-// Programs make their options, parameters and pages from such tables, so that each setting stands in one
-// place.
+// Programs generate their options, parameters and documentation pages from these tables, so each setting is
+// defined in one place.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace cobot_command {
 
-/// What is wrong with a setting: "script_port", "is 70000", "a whole number, 0 to 65535".
+/// An invalid setting: "script_port", "is 70000", "a whole number, 0 to 65535".
 struct SettingFault {
   std::string setting;
   std::string found;
@@ -23,57 +23,58 @@ struct SettingFault {
 /// "is 70000; allowed: a whole number, 0 to 65535"
 [[nodiscard]] std::string describe(const SettingFault& fault);
 
-/// What a setting can be, bound to the variable that holds it, which outlives it; see setting_kinds.h.
+/// The allowed values of a setting, and the variable that stores it. The variable must outlive the kind. See
+/// setting_kinds.h.
 struct SettingKind {
-  enum class Form { Flag, Number, Text, Numbers, Texts };  ///< what a command line makes of its words
+  enum class Form { Flag, Number, Text, Numbers, Texts };  ///< how to interpret the words of an option
 
   Form form = Form::Text;
   std::string type;   ///< "a whole number"
-  std::string range;  ///< "0 to 65535"; empty: whatever is of the type
-  std::string unit;   ///< of value and range: "s"; empty: none
-  /// Takes the value; or says what was found ("is 70000"), and the variable stays as it is.
+  std::string range;  ///< "0 to 65535"; empty: every value of the type
+  std::string unit;   ///< of value and range: "s"; empty: no unit
+  /// Stores the value. On error it returns what was found ("is 70000"), and the variable is unchanged.
   std::function<std::optional<std::string>(const Given&)> take;
-  /// The value as pages and helps show it.
+  /// The current value for documentation pages and help texts.
   std::function<std::string()> show;
-  /// The same in milliseconds, as command lines have durations; empty for what is none.
+  /// The same setting in milliseconds, the unit of durations on command lines; empty if it is not a duration.
   std::function<SettingKind()> in_milliseconds;
 };
 /// "a whole number, 0 to 65535"
 [[nodiscard]] std::string allowedBy(const SettingKind& kind);
 
 struct Setting {
-  std::string name;  ///< of the parameter; as an option it has hyphens
+  std::string name;  ///< of the parameter; the option has hyphens instead of underscores
   SettingKind kind;
   std::string meaning;
-  /// Another name of the option. Of a flag that is on it turns it off.
+  /// Alternative name of the option. For a flag that is on by default this option switches it off.
   std::string option = {};
 };
 using SettingTable = std::vector<Setting>;
-/// One behind the other.
+/// The tables concatenated.
 [[nodiscard]] SettingTable joined(const std::vector<SettingTable>& tables);
 using GivenValues = std::map<std::string, Given>;
 
-/// Sets what is given, row by row; the first fault ends it. Names without a row are passed over.
+/// Stores the given values row by row. The first fault ends it. Names without a row are ignored.
 [[nodiscard]] std::optional<SettingFault> take(const SettingTable& table, const GivenValues& values);
 
-/// Given, but in no row of the table.
+/// A given name that is in no row of the table.
 struct UnknownSetting {
   std::string name;
-  std::string meant;  ///< the nearest known name; empty when none is close
+  std::string meant;  ///< the most similar known name; empty if none is close
 };
 [[nodiscard]] std::vector<UnknownSetting> unknownSettings(const SettingTable& table,
                                                           const GivenValues& values);
 
-/// The option on a command line: "--base" for bases; for a flag that is on the one that turns it off,
+/// The option on a command line: "--base" for bases. For a flag that is on: the option that switches it off,
 /// "--any-payload" or "--no-project-running".
 [[nodiscard]] std::string optionOf(const Setting& setting);
-/// The name as an option: "--bases".
+/// The parameter name as an option: "--bases".
 [[nodiscard]] std::string longOptionOf(const Setting& setting);
-/// Is it a flag that is on?
+/// True for a flag whose current value is true.
 [[nodiscard]] bool isOn(const Setting& setting);
 
-/// What an option with these words gives to a setting of that form: "5" is a number for one, a text for
-/// another. Lists of numbers are written with commas.
+/// Converts the words of an option to a value for a setting of that form: "5" is a number for one form, a
+/// text for another. Lists of numbers are separated by commas.
 [[nodiscard]] Given givenBy(const std::vector<std::string>& words, SettingKind::Form form);
 
 }  // namespace cobot_command

@@ -1,5 +1,5 @@
-// The kinds of settings that every table needs. Each takes only its own type: no real number for a whole one,
-// no text for a number, nothing that is not finite.
+// The common kinds of settings. Each accepts only its own type: no real number for a whole number, no text
+// for a number, no number that is not finite.
 #pragma once
 
 #include <functional>
@@ -14,47 +14,47 @@
 
 namespace cobot_command::setting_kinds {
 
-/// 1 and 0 are true and false, as `rosrun` makes whole numbers of `_parameter:=1`.
+/// Also accepts 1 and 0, because `rosrun` passes `_parameter:=1` as a whole number.
 [[nodiscard]] SettingKind flag(bool& value);
 [[nodiscard]] SettingKind whole(int& value, int lowest, int highest, const std::string& unit = {});
 [[nodiscard]] SettingKind port(int& value);  ///< 0 to 65535
 [[nodiscard]] SettingKind real(double& value, double lowest, double highest, const std::string& unit = {});
-/// Written in a unit of which one of the variable's has so many: limits in that unit.
+/// Value and limits are given in `unit`; one unit of the variable is `units_in_one` of it.
 [[nodiscard]] SettingKind realIn(double& value, double lowest, double highest, const std::string& unit,
                                  double units_in_one);
 /// Limits in seconds.
 [[nodiscard]] SettingKind seconds(Duration& value, double lowest, double highest);
-/// Absent is written as -1.
+/// -1 means absent (never).
 [[nodiscard]] SettingKind secondsOrNever(std::optional<Duration>& value, double lowest, double highest);
 
-/// Which texts a setting takes, and in words.
+/// A condition on a text, and its description.
 struct TextRule {
   std::string allowed;
   std::function<bool(const std::string&)> holds;
 };
 [[nodiscard]] TextRule anyText();
-/// What people see on one line: not empty, UTF-8.
+/// A name on one line: not empty, at most `longest` bytes, UTF-8, no control characters.
 [[nodiscard]] TextRule name(std::size_t longest);
 [[nodiscard]] TextRule oneOf(const std::vector<std::string>& words);
 [[nodiscard]] TextRule orEmpty(TextRule rule);
 [[nodiscard]] SettingKind text(std::string& value, const TextRule& rule = anyText());
-/// A list of texts, from the start none; who takes them says what each may be.
+/// A list of texts. The default is shown as "none". The user of the list checks its entries.
 [[nodiscard]] SettingKind texts(std::vector<std::string>& value, const std::string& allowed);
 
-/// A value that is written as a text: `read` makes it of one or says what is wrong, `show` is the way back.
+/// A value that is written as a text: `read` converts the text or returns the error, `show` converts it back.
 template <class Value>
 [[nodiscard]] SettingKind written(Value& value, std::string allowed,
                                   std::function<Result<Value, std::string>(const std::string&)> read,
                                   std::function<std::string(const Value&)> show);
-/// The word for each value of an enumeration.
+/// The name of each value of an enumeration.
 template <class Value>
 using Words = std::vector<std::pair<std::string, Value>>;
 template <class Value>
 [[nodiscard]] SettingKind choice(Value& value, Words<Value> words);
 
-/// The texts of a list, if it is one. The error is what was found.
+/// The texts of a list. The error is what was found.
 [[nodiscard]] Result<std::vector<std::string>, std::string> textsIn(const Given& given);
-/// A finite number, whole or not; nothing when it is none.
+/// A finite number, whole or real; std::nullopt otherwise.
 [[nodiscard]] std::optional<double> finiteIn(const Given& given);
 /// "binary, string or json"
 [[nodiscard]] std::string enumerated(const std::vector<std::string>& words);

@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4) of bytes: by which an artifact knows that what it was made of has not changed.
+// SHA-256 (FIPS 180-4). A cell artifact uses it to detect changed sources.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,8 @@
 
 namespace cobot_command {
 
-/// The hash of what comes piece by piece; how it is cut into pieces does not matter. A copy goes on from
-/// where the original was.
+/// Incremental hash; how the input is divided into pieces does not matter. A copy continues from the state of
+/// the original.
 class Sha256 {
  public:
   Sha256();
@@ -18,7 +18,8 @@ class Sha256 {
   ~Sha256();
 
   void update(std::string_view bytes);
-  /// Of all that came so far, as 64 lower case hexadecimal digits. More may come behind it.
+  /// Hash of all bytes up to this point, as 64 lower-case hexadecimal digits. More bytes can be added
+  /// afterwards.
   [[nodiscard]] std::string hex() const;
 
  private:
@@ -26,7 +27,7 @@ class Sha256 {
   std::unique_ptr<State> state_;
 };
 
-/// The same of one text.
+/// Hash of one text.
 [[nodiscard]] std::string sha256Hex(std::string_view bytes);
 
 }  // namespace cobot_command

@@ -1,11 +1,12 @@
-// Time as the core sees it: always handed in, never read from a clock.
+// Time in the core. The caller passes it in; the core never reads a clock.
 #pragma once
 
 #include <chrono>
 
 namespace cobot_command {
 
-/// The clock of whoever drives the core: real, scaled, or invented by a test. It is never read here.
+/// The clock of the program that drives the core: real, scaled, or simulated by a test. The core never reads
+/// it.
 struct DriverClock {
   using rep = std::chrono::nanoseconds::rep;
   using period = std::chrono::nanoseconds::period;
@@ -21,7 +22,7 @@ using Instant = DriverClock::time_point;
   return std::chrono::duration<double>(duration).count();
 }
 
-/// Rounds up to whole nanoseconds, so that a motion of this duration is really over at its end.
+/// Rounds up to whole nanoseconds, so that a motion of this duration is really finished at its end.
 [[nodiscard]] constexpr Duration fromSeconds(double seconds) {
   return std::chrono::ceil<Duration>(std::chrono::duration<double>(seconds));
 }

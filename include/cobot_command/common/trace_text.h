@@ -1,4 +1,4 @@
-// The flight recorder's text of a frame, as FrameTrace.msg says: all of any usual script.
+// Text of a frame for the flight recorder (FrameTrace.msg). The limit covers every usual script completely.
 #pragma once
 
 #include <cstddef>

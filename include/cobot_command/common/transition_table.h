@@ -1,7 +1,7 @@
-// State machines as tables: one row for each pair of state and event that means something.
+// State machines as tables: one row for each pair of state and event that has an effect.
 //
-// A pair that is not listed has one answer everywhere: the state stays and nothing is done, as it is an event
-// that comes too late (or too early) for its state.
+// A pair that is not listed is an event too late (or too early) for the state: the state does not change and
+// no action is executed.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct Transition {
   Action action;
 };
 
-/// The row of (state, event) in Table::kRows; nothing when the pair is not listed.
+/// The row of (state, event) in Table::kRows; std::nullopt if the pair is not listed.
 template <class Table, class State, class Event>
 [[nodiscard]] constexpr std::optional<typename Table::Row> findTransition(State state, Event event) {
   for (const typename Table::Row& row : Table::kRows) {

@@ -1,4 +1,4 @@
-// The one place where the controller's mm, degrees and percent become SI (m, rad, shares) and back.
+// Converts the controller's mm, degrees and percent to SI (m, rad, ratios) and back. No other file does.
 #pragma once
 
 namespace cobot_command {
@@ -18,10 +18,10 @@ inline constexpr double kPi = 3.14159265358979323846;
   return metres * 1e3;
 }
 
-/// Of moments of inertia [kg mm^2], in as many kg m^2.
+/// kg mm^2 in one kg m^2 (moment of inertia).
 inline constexpr double kMm2PerM2 = 1e6;
 
-/// Of a share, 0 to 1, in as many of it.
+/// Percent in a ratio of 1.
 inline constexpr double kPercent = 100;
 
 }  // namespace cobot_command

@@ -1,14 +1,13 @@
-// The modes in which a controller may be given velocities.
+// Which velocity commands may be sent to a controller.
 #pragma once
 
 namespace cobot_command {
 
-/// In which modes the controller may be given velocities: in none, unless somebody asks for it by name. It
-/// keeps a velocity when this computer falls silent: that of the TCP until its own watch ends it, that of
-/// joints for good.
+/// Velocity commands that are enabled; none by default. If this computer stops communicating, the controller
+/// keeps the last velocity: a TCP velocity until the controller's own watchdog ends it, a joint velocity
+/// indefinitely.
 struct VelocityModes {
-  /// In what the controller takes a velocity of the TCP (SetContinueVLine), which its sources do not agree
-  /// on.
+  /// Unit in which the controller expects a TCP velocity (SetContinueVLine). The sources disagree.
   enum class Line { Off, Millimetres, Metres };
   Line line = Line::Off;  ///< ContinueVLine: in mm/s and deg/s, or in m/s and rad/s
   bool joints = false;    ///< ContinueVJog

@@ -1,5 +1,5 @@
-// The steps of a pick-and-place cycle as YAML; config/pick_and_place.yaml is such a file, and explains it.
-// Its pieces are for who reads steps in files of another kind.
+// Reads the steps of a pick-and-place cycle from YAML. config/pick_and_place.yaml is an annotated example.
+// The functions for single fields are public for readers of other file types that contain steps.
 #pragma once
 
 #include <optional>
@@ -13,37 +13,39 @@ namespace cobot_command::files {
 
 struct FileStep {
   blocks::PickAndPlaceStep step;
-  std::string name;  ///< for people; may be empty
+  std::string name;  ///< display name; may be empty
   int line = 0;      ///< from 1
   int column = 0;    ///< from 1
 };
 
-/// `name` stands for the file in the fault.
+/// `name` identifies the file in the fault.
 [[nodiscard]] Result<std::vector<FileStep>, FileFault> readSteps(const std::string& text,
                                                                  const std::string& name);
 
-// Pieces of a step; they throw a YamlFault.
-[[nodiscard]] const YamlNames& movementNames();  ///< "PTP" and so on, with their numbers of blocks::Movement
+// Readers for the fields of a step. They throw a YamlFault.
+[[nodiscard]] const YamlNames& movementNames();  ///< "PTP" and so on, with their numbers in blocks::Movement
 [[nodiscard]] const YamlNames& absoluteFormatNames();  ///< those of blocks::AbsoluteFormat
-/// data_format of a move to a pose or to joints. One that is none is told what the movement takes, and one
-/// that is relative to the tool, `of_tool`: where such moves belong.
+/// data_format of a move to a pose or to joints. The fault of an unknown format lists the formats that the
+/// movement accepts. The fault of a format relative to the tool says `of_tool`: where such moves belong.
 [[nodiscard]] int toAbsoluteFormat(const YamlMap& step, int movement, const std::string& of_tool);
-/// That of any move: one of `all`; what is none of them is told those among them that the movement takes.
+/// data_format of any move: one of `all`. The fault of an unknown format lists the formats of `all` that the
+/// movement accepts.
 [[nodiscard]] int toFormat(const YamlMap& step, int movement, const YamlNames& all);
 /// Six finite numbers.
 [[nodiscard]] blocks::SixValues toSix(const YamlMap& map, const char* key);
-/// robot_pose, where there is one.
+/// Reads robot_pose if the key exists.
 void takePosture(const YamlMap& step, blocks::MoveAbsoluteGoal& move);
 [[nodiscard]] std::optional<blocks::SetOutputGoal> toOutput(const YamlMap& step);
 [[nodiscard]] std::optional<blocks::WaitForInputGoal> toInput(const YamlMap& step);
-/// true: `usual`; a number: that long [s].
+/// Dwell time [s]: missing or false: 0; true: `usual`; a number: that time.
 [[nodiscard]] double toDwell(const YamlMap& step, double usual);
-/// The key of a file from before, which says the contrary of the one that it has become.
+/// Refuses precise_positioning, the key of an older file format. Its successor disable_precise_positioning
+/// has the opposite meaning.
 void refuseRetiredKey(const YAML::Node& step);
-/// The file's own, where it has none: as in the thesis [s].
+/// Default dwell time of a file without its own, as in the thesis [s].
 inline constexpr double kUsualDwell = 2;
 
-/// What the goals of all moves have under the same keys: command_id, speed, accel_time, blending_enable,
+/// Reads the fields that all move goals share: command_id, speed, accel_time, blending_enable,
 /// blending_value, exit_node, disable_precise_positioning.
 template <class Move>
 void takeMotion(const YamlMap& step, Move& move) {

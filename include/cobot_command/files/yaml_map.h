@@ -1,6 +1,6 @@
-// Maps of YAML files that people write by hand: every key has to be known, every value of its type, and what
-// is wrong is told with its line. The text of an error never says what stands in the file, which may be any;
-// who may show it finds it in YamlFinding.
+// Strict reader for hand-written YAML maps: every key must be known and every value must have its type.
+// Errors report the line. The error text never quotes the content of the file, which may be arbitrary.
+// YamlFinding has the content, for callers that may show it.
 #pragma once
 
 #include <cstddef>
@@ -17,15 +17,15 @@
 
 namespace cobot_command::files {
 
-/// What is wrong with a value, with what stands in the file: bounded, without control characters.
+/// An invalid value, with the content of the file: bounded, without control characters.
 struct YamlFinding {
   std::string field;    ///< "speed", "target_position[2]"; empty: the map or list itself
   std::string found;    ///< `is "fast"`, "is missing"
-  std::string allowed;  ///< "a whole number"; empty: nothing is there to be said
-  std::string advice;   ///< "write speed"; empty: as `allowed` says
+  std::string allowed;  ///< "a whole number"; empty: not applicable
+  std::string advice;   ///< "write speed"; empty: follow `allowed`
 };
 
-/// Leaves readYaml() as its error.
+/// tryYaml() and readYaml() convert it to their error.
 struct YamlFault : std::runtime_error {
   YamlFault(const YAML::Mark& place, const std::string& what, YamlFinding finding_of_it = {})
       : std::runtime_error(what), mark(place), finding(std::move(finding_of_it)) {}
@@ -35,21 +35,21 @@ struct YamlFault : std::runtime_error {
 
 using YamlNames = std::vector<std::pair<const char*, int>>;
 
-/// What a value is called in errors.
+/// Name of the type of a value in errors.
 [[nodiscard]] std::string kindOf(const YAML::Node& node);
-/// The same with what stands there: `is "fast"`, "is a list of 3".
+/// The same with the content: `is "fast"`, "is a list of 3".
 [[nodiscard]] std::string isShown(const YAML::Node& node);
 
-// Values; `key`: theirs, for errors. They throw a YamlFault.
+// Readers of values. `key` is the key of the value, for errors. They throw a YamlFault.
 [[nodiscard]] double toNumber(const YAML::Node& node, const std::string& key,
                               const char* allowed = "a number");
 [[nodiscard]] int toNamed(const YAML::Node& node, const std::string& key, const YamlNames& names);
 /// A list of `count` values.
 [[nodiscard]] YAML::Node toList(const YAML::Node& node, const std::string& key, std::size_t count);
-/// As a setting takes it: what stands in quotes is a text, whatever it looks like.
+/// Converts a value for a setting. A value in quotes is always a text.
 [[nodiscard]] Given toGiven(const YAML::Node& node);
 
-/// All functions throw a YamlFault where the file is not as they say.
+/// All functions throw a YamlFault if the file does not match.
 class YamlMap {
  public:
   YamlMap(const YAML::Node& node, const char* what, const std::vector<std::string>& keys);
@@ -64,32 +64,33 @@ class YamlMap {
   [[nodiscard]] int named(const char* key, const YamlNames& names) const;
   /// A list of `count` values.
   [[nodiscard]] YAML::Node list(const char* key, std::size_t count) const;
-  /// A list of 0 to `most` entries, which `entries` calls them. Looked at before any is read: aliases make
-  /// long lists of short files.
+  /// A list of 0 to `most` entries; `entries` is their plural in the error. The length is checked before an
+  /// entry is read, because aliases make long lists from short files.
   [[nodiscard]] YAML::Node listOf(const char* key, std::size_t most, const char* entries) const;
 
  private:
   YAML::Node node_;
 };
 
-/// Throws a YamlFault that names the key which stands twice; `what`: the map, for errors. For maps of names.
+/// Throws a YamlFault that names a key that is in the map twice. `what` names the map in the error. For maps
+/// with arbitrary names as keys.
 void requireOwnKeys(const YAML::Node& map, const char* what);
 
 /// Why a file could not be read.
 struct FileFault {
   std::string file;
-  int line = 0;    ///< from 1; 0: it is not known
-  int column = 0;  ///< from 1; 0: it is not known
+  int line = 0;    ///< from 1; 0: unknown
+  int column = 0;  ///< from 1; 0: unknown
   std::string what;
   YamlFinding finding;
 };
 /// "cell.yaml:7: speed is something else; it must be a whole number"
 [[nodiscard]] std::string describe(const FileFault& fault);
-/// Of what came while a document with that name was read.
+/// The fault of an exception thrown while reading the document `name`.
 [[nodiscard]] FileFault faultOf(const std::string& name, const YamlFault& fault);
 [[nodiscard]] FileFault faultOf(const std::string& name, const YAML::Exception& fault);
 
-/// What `read` makes of the document.
+/// Parses the document and converts it with `read`.
 template <class Value>
 [[nodiscard]] Result<Value, FileFault> tryYaml(const std::string& text, const std::string& name,
                                                const std::function<Value(const YAML::Node&)>& read) {
@@ -102,7 +103,7 @@ template <class Value>
   }
 }
 
-/// The same; the error is "name:line: what is wrong".
+/// As tryYaml(); the error is the text "name:line: what is wrong".
 template <class Value>
 [[nodiscard]] Result<Value, std::string> readYaml(const std::string& text, const std::string& name,
                                                   const std::function<Value(const YAML::Node&)>& read) {

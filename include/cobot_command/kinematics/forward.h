@@ -1,4 +1,5 @@
-// Joints -> where a tool of the tables is in a frame of them. Nothing moves, and no link is needed.
+// Forward kinematics: joints -> pose of a tool of the tables in a frame of the tables. The robot does not
+// move, and no connection is needed.
 #pragma once
 
 #include "cobot_command/arm/arm_model.h"
@@ -17,7 +18,7 @@ struct ForwardQuestion {
 
 struct ForwardAnswer {
   arm::ControllerPose pose{};  ///< of the tool in the frame [mm, deg]
-  Posture posture;             ///< that was given, with its bits and turns
+  Posture posture;             ///< the given joints, with their bits and turns
 };
 
 /// Refused: a joint that is not finite (16#200) or outside its limits (16#8C63), a tool or a frame without a

@@ -1,4 +1,4 @@
-// Why a calculation of the kinematics has no answer.
+// Why a kinematics calculation has no result.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace cobot_command::kinematics {
 
-/// SRCI's numbers; below 16#6000 as own_error of the blocks has them.
+/// Error numbers of SRCI; below 16#6000 the same numbers as own_error of the blocks.
 namespace kinematics_error {
-inline constexpr int kNoPosture = 0x8C62;      ///< none at all, or none with the bits that were asked for
-inline constexpr int kOutsideLimits = 0x8C63;  ///< a joint; of a posture that was given, or was found
-inline constexpr int kTooNear = 0x8C59;        ///< points, or poses that are turned too little
+inline constexpr int kNoPosture = 0x8C62;      ///< none at all, or none with the requested bits
+inline constexpr int kOutsideLimits = 0x8C63;  ///< a joint of a given or found posture
+inline constexpr int kTooNear = 0x8C59;        ///< points too close, or poses with too little rotation
 inline constexpr int kNotPossible = 0x8C60;    ///< the touches of a tool are too far from one point
-inline constexpr int kOnOneLine = 0x8C61;      ///< points; or poses that are turned about one axis
+inline constexpr int kOnOneLine = 0x8C61;      ///< points on one line, or poses rotated about one axis
 inline constexpr int kTooMany = 0x8C65;        ///< poses
 inline constexpr int kTooFew = 0x8C66;
 inline constexpr int kToolIndex = tables::table_error::kToolIndex;

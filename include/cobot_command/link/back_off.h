@@ -1,4 +1,4 @@
-// The waits between tries: doubling from a minimum up to a maximum, until a try succeeds.
+// Waiting times between attempts. They double from a minimum up to a maximum, until an attempt succeeds.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace cobot_command::link {
 
 class BackOff {
  public:
-  /// How long to wait before the next try.
+  /// Waiting time before the next attempt.
   [[nodiscard]] Duration next(Duration minimum, Duration maximum) {
     const Duration wait = std::min(std::max(next_, minimum), maximum);
     next_ = wait * 2;

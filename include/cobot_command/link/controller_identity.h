@@ -1,4 +1,4 @@
-// What a controller tells of itself on its status port.
+// The identity that a controller reports on its status port.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 
 namespace cobot_command::link {
 
-/// As it says it; absent: it has not (yet).
+/// As reported; nullopt: not reported (yet).
 struct ControllerIdentity {
   std::optional<std::string> robot_model;     ///< "TM5-900"
   std::optional<std::string> control_box_sn;  ///< serial number of the control box

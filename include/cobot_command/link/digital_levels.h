@@ -1,4 +1,4 @@
-// Digital inputs, or outputs, of the robot, as its status stream tells them.
+// Levels of the digital inputs, or outputs, of the robot, from its status stream.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 
 namespace cobot_command::link {
 
-/// By their numbers; an absent one: the controller's data table does not stream it.
+/// By number; nullopt: the controller's data table does not stream it.
 struct DigitalLevels {
   std::array<std::optional<bool>, 16> control_box;
   std::array<std::optional<bool>, 4> end_module;

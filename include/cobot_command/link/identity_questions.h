@@ -1,5 +1,5 @@
-// What is asked on the status port, once a connection: of the identity of the controller what its stream does
-// not tell. Items of a TM controller can be read also when nobody has ticked them for the stream (TM 3).
+// Requests on the status port, once for each connection, for identity items that the stream does not contain.
+// Items of a TM controller can be read even if they are not selected for the stream (TM 3).
 #pragma once
 
 #include <vector>
@@ -11,13 +11,13 @@ namespace cobot_command::link {
 
 class IdentityQuestions {
  public:
-  /// The requests for what `told` lacks, an item each: one that a controller does not have makes no other
-  /// fail.
+  /// The requests for the items missing in `told`. Each request has one item, so that an item that a
+  /// controller does not have makes no other request fail.
   [[nodiscard]] static std::vector<protocol::StatusFrame> missingIn(const ControllerIdentity& told);
 
-  /// True: it is the answer to such a request, or says why there is none, and is taken.
+  /// True: the frame is the answer to such a request, or the reason why there is none; it is consumed.
   bool take(const protocol::StatusFrame& frame);
-  /// Fills in what was answered and `told` lacks.
+  /// Fills in the answered items that `told` lacks.
   void complete(ControllerIdentity& told) const;
 
  private:

@@ -1,4 +1,5 @@
-// What a controller's status stream says of the robot, in SI; the same for a real and a simulated one.
+// The robot's state as reported by the controller's status stream, in SI units; the same for a real and a
+// simulated controller.
 #pragma once
 
 #include <optional>
@@ -12,7 +13,7 @@
 
 namespace cobot_command::link {
 
-/// An absent value: the controller's data table does not stream that item.
+/// nullopt: the controller's data table does not stream that item.
 struct RobotStatus {
   Instant received{};
   std::optional<arm::JointVector> joints;            ///< [rad]
@@ -26,24 +27,25 @@ struct RobotStatus {
   std::optional<double> tool_speed;                  ///< of the active TCP [m/s]
   std::optional<std::string> base_name;
   std::optional<std::string> tcp_name;
-  std::optional<bool> linked;  ///< the stream's server reaches the controller
+  std::optional<bool> linked;  ///< the server of the stream reaches the controller
   std::optional<bool> error;
   std::optional<int> error_code;
-  std::optional<std::string> error_text;  ///< Error_Content, or in few words what the code means, if known
+  /// Error_Content, or a short text for the code, if known.
+  std::optional<std::string> error_text;
   std::optional<bool> emergency_stop;
   std::optional<bool> safeguard;
   std::optional<bool> project_running;
   std::optional<bool> project_paused;
   std::optional<int> project_speed_percent;
-  std::vector<std::string>
-      unreadable;  ///< items that the stream has, with a value that cannot be one of theirs
-  /// Between which angles the safety functions let the joints be [rad].
+  /// Items of the stream with a value that is impossible for them.
+  std::vector<std::string> unreadable;
+  /// Joint limits of the safety functions [rad].
   std::optional<arm::JointVector> safety_lower;
   std::optional<arm::JointVector> safety_upper;
   DigitalLevels inputs;
   DigitalLevels outputs;
   std::optional<int> operating_mode;  ///< MA_Mode: 0 none, 1 automatic, 2 manual
-  ControllerIdentity identity;        ///< of the stream, or asked for
+  ControllerIdentity identity;        ///< from the stream, or requested
 };
 
 }  // namespace cobot_command::link

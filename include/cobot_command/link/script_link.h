@@ -1,9 +1,9 @@
-// The link to the script port (5890) of one controller: it connects, asks whether the flow is in a Listen
-// node, keeps asking (the lifesign), and matches every answer to its request.
+// The link to the script port (5890) of one controller. It connects, asks whether the flow is in a Listen
+// node, continues to ask (the heartbeat), and matches every answer to its request.
 //
-// Owns no socket and no clock; see command_core.h. Once started it tries for ever, with a back-off; how long
-// is for the Connect block to say. Lifesigns are TMSTA queries: they never enter the motion queue.
-// Not thread-safe.
+// It owns no socket and no clock; see command_core.h. Once started it tries without end, with a back-off; the
+// Connect block limits the time. Heartbeats are TMSTA queries: they never enter the motion queue. Not
+// thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -26,29 +26,30 @@ namespace cobot_command::link {
 enum class Trouble {
   None,
   NotTriedYet,
-  Refused,      ///< nobody listens on the port
+  Refused,      ///< no server on the port
   Unreachable,  ///< no route, host down
   UnknownHost,
   OpenTimedOut,
   OpenFailed,    ///< for another reason
-  Silent,        ///< connected, and nothing answers
-  NotTmRobot,    ///< connected, and something else answers
-  OtherAnswers,  ///< connected, and what comes is a controller's, but not what was asked for
+  Silent,        ///< connected, but nothing answers
+  NotTmRobot,    ///< connected, but something else answers
+  OtherAnswers,  ///< connected; a controller answers, but not to the request
   StatusPort,    ///< connected to the status stream of a TM robot
   Closed,        ///< connected and closed again
   NotListening   ///< a TM robot, its flow is in another node
 };
 
-// --- What comes out of next().
+// --- Outputs of next().
 
-/// The state or the diagnosis is another one than before.
+/// The state or the diagnosis has changed.
 struct LinkChanged {};
-/// An established connection is gone: whatever was open will not be answered.
+/// An established connection is lost: open requests will not be answered.
 struct LinkLost {
   std::string reason;
 };
-/// What answers tell: script_requests.h. ListenData: what a script sent with ListenSend(), whoever's it was;
-/// it comes behind the answers to all scripts that the controller ran before, and in front of its own.
+/// For the answers see script_requests.h. ListenData: data that a script sent with ListenSend(), from any
+/// client. It arrives after the answers to all scripts that the controller ran before that script, and before
+/// the answer to that script.
 using ScriptLinkOutput =
     std::variant<LinkChanged, LinkLost, ScriptAnswered, TagReported, TagQueryFailed, protocol::ListenData>;
 
@@ -57,10 +58,10 @@ class ScriptLink {
   ScriptLink(const LinkSettings& settings, Wire& wire);
 
   void start(const std::string& host, int port, Instant now);
-  /// The settings that it refers to are others: the next lifesign comes as the new period says.
+  /// The settings that the link refers to have changed: the next heartbeat follows the new period.
   void settingsChanged(Instant now);
   void stop(Instant now);
-  /// An established link is lost, as somebody else has found; it is tried again.
+  /// Another part of the layer has found that an established link is lost; the link tries again.
   void giveUp(std::string reason, Instant now);
 
   // --- Events of the connection for which owns() is true.
@@ -72,29 +73,29 @@ class ScriptLink {
   void advance(Instant now);
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
 
-  /// The next thing that happened; nothing when there is none. Frames are decoded one by one as they are
-  /// asked for, so a reaction to one is in force before the next is looked at.
+  /// The next output; nullopt: there is none. Frames are decoded one by one as they are requested, so that
+  /// the reaction to one applies before the next is read.
   [[nodiscard]] std::optional<ScriptLinkOutput> next(Instant now);
 
   // --- Requests. Precondition: connected().
-  /// Returns the script id; a ScriptAnswered with it follows, unless the connection goes down first. For
-  /// lines that wait `reply_timeout` may be another than that of the settings.
+  /// Returns the script id. A ScriptAnswered with this id follows, unless the connection is closed first.
+  /// `reply_timeout`: replaces that of the settings, for lines that wait.
   std::string sendScript(const std::string& script, Instant now,
                          std::optional<Duration> reply_timeout = std::nullopt);
   void queryTag(int tag, Instant now);
-  /// A script with ScriptExit() was accepted: the node is being left.
+  /// A script with ScriptExit() was accepted: the flow is leaving the node.
   void exitAccepted(Instant now);
 
   [[nodiscard]] ScriptLinkState state() const { return state_; }
-  /// TCP is up: a script can be sent, though it may be that nobody takes it.
+  /// TCP is up: a script can be sent, although it may not be accepted.
   [[nodiscard]] bool connected() const { return isConnected(state_); }
   [[nodiscard]] bool established() const { return isEstablished(state_); }
   [[nodiscard]] Trouble trouble() const { return trouble_; }
   [[nodiscard]] const std::string& diagnosis() const { return diagnosis_; }
   [[nodiscard]] const std::string& listenNode() const { return listen_node_; }
-  /// When the last frame of the controller came on this connection; nothing: none has.
+  /// Time of the controller's last frame on this connection; nullopt: none.
   [[nodiscard]] std::optional<Instant> heardAt() const { return heard_at_; }
-  /// What has no answer yet, and answers that nobody waited for.
+  /// Unanswered requests, and answers that nothing waited for.
   [[nodiscard]] const ScriptRequests& requests() const { return requests_; }
   [[nodiscard]] std::uint64_t decodeFaults() const { return decode_faults_; }
 
@@ -121,10 +122,11 @@ class ScriptLink {
   std::optional<Instant> retry_at_;
   std::optional<Instant> lifesign_at_;
   int unanswered_lifesigns_ = 0;
-  int listening_since_exit_ = 0;  ///< answers "in the Listen node", one after the other
-  std::string heard_;             ///< what was understood last, in place of the answer that makes it Ready
+  int listening_since_exit_ = 0;  ///< consecutive answers "in the Listen node"
+  /// What was understood last, if it was not the answer that makes the state Ready.
+  std::string heard_;
   std::optional<Instant> heard_at_;
-  bool foreign_bytes_ = false;  ///< what arrived last on this connection was not understood
+  bool foreign_bytes_ = false;  ///< the last bytes on this connection were not understood
   BackOff back_off_;
   protocol::FrameDecoder decoder_;
   ScriptRequests requests_;

@@ -1,6 +1,6 @@
-// The script link as a table: how a connection to port 5890 comes up, is supervised, and goes down.
+// The script link as a table: how a connection to port 5890 is opened, supervised and closed.
 //
-// An unlisted pair changes nothing (transition_table.h): it is an event that came too late for its state.
+// An unlisted pair changes nothing (transition_table.h): the event came too late for its state.
 #pragma once
 
 #include "cobot_command/common/transition_table.h"
@@ -8,13 +8,14 @@
 namespace cobot_command::link {
 
 enum class ScriptLinkState {
-  Disconnected,  ///< nobody wants a connection
-  BackingOff,    ///< between two tries
-  Connecting,    ///< TCP connection under way
-  Probing,       ///< connected; TMSTA 00 asked, not yet answered
+  Disconnected,  ///< no connection is wanted
+  BackingOff,    ///< between two attempts
+  Connecting,    ///< the TCP connection is being opened
+  Probing,       ///< connected; TMSTA 00 sent, not answered yet
   NotListening,  ///< a TM controller answers, its flow is in another node
-  Leaving,       ///< ScriptExit() was accepted: TMSCT is refused although TMSTA 00 may still say true
-  Ready          ///< in the Listen node
+  /// ScriptExit() was accepted: TMSCT is refused, although the answer to TMSTA 00 may still be true.
+  Leaving,
+  Ready  ///< in the Listen node
 };
 
 enum class ScriptLinkEvent {
@@ -22,25 +23,27 @@ enum class ScriptLinkEvent {
   RetryDue,
   Opened,
   OpenFailed,
-  AnsweredTrue,    ///< TMSTA 00: in the Listen node
-  AnsweredFalse,   ///< TMSTA 00: not in the Listen node
-  NodeEntered,     ///< the entry message, TMSCT 0
-  NodeLeft,        ///< CPERR F1
-  ExitAccepted,    ///< a script with ScriptExit() was accepted
-  StillListening,  ///< asked again and again since then, it was always in the Listen node
-  NoAnswer,        ///< too many lifesigns without an answer
-  ForeignPeer,     ///< what arrives is not what a script port says
-  Closed,          ///< by the peer, or by the network
+  AnsweredTrue,   ///< TMSTA 00: in the Listen node
+  AnsweredFalse,  ///< TMSTA 00: not in the Listen node
+  NodeEntered,    ///< the entry message, TMSCT 0
+  NodeLeft,       ///< CPERR F1
+  ExitAccepted,   ///< a script with ScriptExit() was accepted
+  /// Every repeated query since then was answered "in the Listen node".
+  StillListening,
+  NoAnswer,     ///< too many unanswered heartbeats
+  ForeignPeer,  ///< the received data is not that of a script port
+  Closed,       ///< by the peer or by the network
   Stop
 };
 
 enum class ScriptLinkAction {
   None,
-  Open,    ///< start a TCP connection
-  Probe,   ///< ask TMSTA 00
-  Retry,   ///< not established: drop the connection if there is one, try again after the back-off
-  Lose,    ///< established: tell that it is lost, then as Retry
-  Release  ///< drop the connection, on request
+  Open,   ///< open a TCP connection
+  Probe,  ///< send TMSTA 00
+  /// Not established: close the connection if there is one, try again after the back-off.
+  Retry,
+  Lose,    ///< established: report the loss, then as Retry
+  Release  ///< close the connection, on request
 };
 
 struct ScriptLinkTable {
@@ -82,7 +85,7 @@ struct ScriptLinkTable {
     {S::Leaving,      E::AnsweredFalse, S::NotListening, A::None},
     {S::Leaving,      E::NodeEntered,   S::Ready,        A::None},
     {S::Leaving,      E::NodeLeft,      S::Leaving,      A::None},
-    // The flow has come back, and its entry message was lost or came before the OK.
+    // The flow has returned, and its entry message was lost or arrived before the OK.
     {S::Leaving,      E::StillListening, S::Ready,       A::None},
     {S::Leaving,      E::NoAnswer,      S::BackingOff,   A::Lose},
     {S::Leaving,      E::Closed,        S::BackingOff,   A::Lose},
@@ -100,7 +103,7 @@ struct ScriptLinkTable {
   // clang-format on
 };
 
-/// TCP is up: something can be tried, whatever it will be answered.
+/// TCP is up: a request can be sent, whatever the answer.
 [[nodiscard]] constexpr bool isConnected(ScriptLinkState state) {
   return state == ScriptLinkState::Probing || state == ScriptLinkState::NotListening ||
          state == ScriptLinkState::Leaving || state == ScriptLinkState::Ready;

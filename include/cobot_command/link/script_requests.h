@@ -1,6 +1,6 @@
-// What the script link has asked and the controller has not answered yet, and what an answer tells of it.
+// Requests of the script link that the controller has not answered yet, and the meaning of an answer.
 //
-// An answer that nobody waits for is counted, and tells nothing.
+// An answer that nothing waits for is counted and has no effect.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,18 @@
 
 namespace cobot_command::link {
 
-struct NoReply {};  ///< in time
+struct NoReply {};  ///< before the timeout
 struct ScriptAnswered {
   std::string id;
   std::variant<protocol::ScriptReply, protocol::CommunicationError, NoReply> answer;
 };
-/// A tag report: spontaneous, or the answer to a question for the tag.
+/// A tag report: spontaneous, or the answer to a tag query.
 struct TagReported {
   int tag = 0;
   bool asked = false;
   protocol::TagState state = protocol::TagState::Unknown;
 };
-/// The question for a tag got no answer in time, or a CPERR.
+/// A tag query got no answer before the timeout, or a CPERR.
 struct TagQueryFailed {
   int tag = 0;
   std::string reason;
@@ -38,22 +38,22 @@ class ScriptRequests {
   [[nodiscard]] bool awaitsScript() const { return ledger_.awaitsScript(); }
   void add(Request request) { ledger_.add(std::move(request)); }
   [[nodiscard]] std::optional<Instant> nextDeadline() const { return ledger_.nextDeadline(); }
-  /// The connection is gone, and no answer will come.
+  /// The connection is closed, and no answer will arrive.
   void clear() { ledger_.clear(); }
-  /// Questions for the Listen node whose answers were lost.
+  /// Removes the queries for the Listen node whose answers were lost.
   void dropNodeQueries();
 
-  // --- What an answer tells; nothing when nobody waits for it.
+  // --- Meaning of an answer; nullopt: nothing waits for it.
   [[nodiscard]] std::optional<ScriptAnswer> take(const protocol::ScriptReply& message);
   [[nodiscard]] std::optional<ScriptAnswer> take(const protocol::TagReport& message);
-  /// Nothing also when it is the answer to a question for the Listen node.
+  /// nullopt also if it is the answer to a query for the Listen node.
   [[nodiscard]] std::optional<ScriptAnswer> take(const protocol::CommunicationError& message);
-  /// To the question for the Listen node. False: nobody has asked.
+  /// The answer to a query for the Listen node. False: there was no query.
   [[nodiscard]] bool takeNodeState();
-  /// Of one request whose time is over.
+  /// For one request whose time is over.
   [[nodiscard]] std::optional<ScriptAnswer> takeExpired(Instant now);
 
-  /// Answers that nobody waited for.
+  /// Number of answers that nothing waited for.
   [[nodiscard]] std::uint64_t late() const { return late_; }
 
  private:

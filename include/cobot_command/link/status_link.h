@@ -1,6 +1,6 @@
-// The link to the status stream (port 5891): opened and reopened for ever while it is wanted.
+// The link to the status stream (port 5891). It is opened, and opened again without end, while it is wanted.
 //
-// Owns no socket and no clock; see command_core.h. Not thread-safe.
+// It owns no socket and no clock; see command_core.h. Not thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -33,12 +33,12 @@ class StatusLink {
   void advance(Instant now);
   [[nodiscard]] std::optional<Instant> nextDeadline() const { return deadline_; }
 
-  /// The next status in what was received; nothing when more bytes are needed.
+  /// The next status in the received data; nullopt: more bytes are needed.
   [[nodiscard]] std::optional<RobotStatus> next(Instant now);
 
   [[nodiscard]] StatusLinkState state() const { return state_; }
   [[nodiscard]] bool streaming() const { return state_ == StatusLinkState::Streaming; }
-  /// Why nothing is delivered, or not all of it, in plain words; empty while all is well.
+  /// Why there is no data, or only a part of it, in plain words; empty: no problem.
   [[nodiscard]] const std::string& diagnosis() const { return diagnosis_; }
   [[nodiscard]] std::uint64_t decodeFaults() const { return decode_faults_; }
 
@@ -50,7 +50,8 @@ class StatusLink {
   [[nodiscard]] std::optional<std::string> decode(std::string content);
   void ask(Instant now);
   void fault(std::string_view bytes, std::string meaning, Instant now);
-  /// What came since the connection was opened, or since the last status frame: it tells what the peer is.
+  /// Data received since the connection was opened, or since the last status frame: it shows what the peer
+  /// is.
   enum class Heard { Nothing, Garbage, ScriptPort, OtherFrames };
   [[nodiscard]] std::string silence() const;
 
@@ -64,10 +65,10 @@ class StatusLink {
   BackOff back_off_;
   protocol::FrameDecoder decoder_;
   Heard heard_ = Heard::Nothing;
-  std::optional<std::string> content_;  ///< of the last frame that could be read, and what it says:
+  std::optional<std::string> content_;  ///< of the last readable frame, with its meaning:
   RobotStatus decoded_;
   IdentityQuestions questions_;  ///< of this connection
-  std::string lacking_;          ///< of that frame, as a diagnosis; empty: all is there
+  std::string lacking_;          ///< missing items of that frame, as a diagnosis; empty: none
   std::string diagnosis_;
   std::uint64_t decode_faults_ = 0;
 };

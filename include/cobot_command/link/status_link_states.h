@@ -1,4 +1,4 @@
-// The status link (port 5891) as a table: it runs by itself, whatever the script link does.
+// The status link (port 5891) as a table. It is independent of the script link.
 //
 // An unlisted pair changes nothing (transition_table.h).
 #pragma once
@@ -8,9 +8,9 @@
 namespace cobot_command::link {
 
 enum class StatusLinkState {
-  Off,         ///< nobody wants the stream
-  BackingOff,  ///< between two tries
-  Connecting,  ///< TCP connection under way
+  Off,         ///< the stream is not wanted
+  BackingOff,  ///< between two attempts
+  Connecting,  ///< the TCP connection is being opened
   Waiting,     ///< connected, no usable frame yet
   Streaming    ///< frames arrive
 };
@@ -20,7 +20,7 @@ enum class StatusLinkEvent {
   RetryDue,
   Opened,
   OpenFailed,
-  Frame,    ///< a status frame that can be read
+  Frame,    ///< a readable status frame
   Silence,  ///< no such frame for status_timeout
   Closed,
   Stop
@@ -29,9 +29,10 @@ enum class StatusLinkEvent {
 enum class StatusLinkAction {
   None,
   Open,
-  Watch,   ///< start the watchdog
-  Retry,   ///< drop the connection if there is one, try again after the back-off
-  Release  ///< drop the connection, on request
+  Watch,  ///< start the watchdog
+  /// Close the connection if there is one, try again after the back-off.
+  Retry,
+  Release  ///< close the connection, on request
 };
 
 struct StatusLinkTable {

@@ -1,10 +1,10 @@
-// Who waits for which queue tag (QueueTag, TMSTA 01).
+// The motions that wait for queue tags (QueueTag, TMSTA 01).
 //
-// A tag on the wire is only a number from 1 to 15, so a report that was meant for a motion of the past looks
-// like one for the present. Therefore a number whose motion did not end by its report (it was stopped, lost,
-// or its link dropped) is suspect: it is not given out again until its late report has come, or a younger tag
-// has completed (tags complete in the order of the queue, so nothing older can follow), or no other number is
-// left.
+// On the wire a tag is only a number from 1 to 15, so a report for an earlier motion looks like one for the
+// present motion. Therefore a number is suspect if its motion did not end by its report (the motion was
+// stopped or lost, or its link dropped). A suspect number is not given out again until its late report has
+// arrived, or a younger tag has completed, or no other number is left. Tags complete in the order of the
+// queue, so after a younger tag no older one can follow.
 #pragma once
 
 #include <array>
@@ -19,25 +19,25 @@ class TagLedger {
   static constexpr int kFirst = 1;
   static constexpr int kLast = 15;
 
-  /// `first`: the number that is given out first, without a preference; the others follow in their order.
+  /// `first`: the first number that is given out without a preference; the others follow in order.
   explicit TagLedger(int first = kFirst);
 
-  /// A number for a new motion: `preferred` if that is free, else the one that has been free for longest.
-  /// Nothing when all are open. 0: no preference.
+  /// A number for a new motion: `preferred` if it is free, otherwise the one that has been free for the
+  /// longest time. 0: no preference. nullopt: all are open.
   [[nodiscard]] std::optional<int> open(int preferred = 0);
 
-  /// A completion was reported. True when a motion of this epoch waits for it; it is free afterwards. Else it
-  /// is stale: it is counted, and means nothing.
+  /// A completion was reported. True: a motion of this epoch waits for it; the number is then free. False:
+  /// the report is stale; it is counted and has no effect.
   [[nodiscard]] bool complete(int tag);
 
-  /// Whether a report of it now, which nobody awaits, can be none of ours: neither the late one of a motion
-  /// of the past, nor the last one once more.
+  /// True: an unexpected report of this tag cannot be one of this layer, neither a late report of an earlier
+  /// motion nor a repetition of the last report.
   [[nodiscard]] bool isForeign(int tag) const;
 
   /// The motion ended without its report.
   void abandon(int tag);
 
-  /// After a stop and after a reconnect: nobody waits for any tag that was given out before.
+  /// After a stop and after a reconnect: nothing waits for the tags that were given out before.
   void renewEpoch();
 
   [[nodiscard]] bool isOpen(int tag) const;

@@ -1,4 +1,4 @@
-// What a link asks of whoever owns the sockets, and what it has to tell of the traffic.
+// The interface of a link to the owner of the sockets, for connections and for the trace of the traffic.
 #pragma once
 
 #include <string>
@@ -16,15 +16,15 @@ class Wire {
   Wire& operator=(const Wire&) = delete;
   virtual ~Wire() = default;
 
-  /// Starts to open a connection and gives it a new id. Its outcome is told to the link later, never inside
-  /// of this call; the same holds for everything below.
+  /// Starts to open a connection and gives it a new id. The link is notified of the result later, never
+  /// within this call. The same applies to all functions below.
   virtual ConnectionId open(Channel channel, const std::string& host, int port, Duration timeout) = 0;
-  /// Closes a connection or gives up opening it: nothing is told of it any more.
+  /// Closes a connection or gives up opening it: no more events of it follow.
   virtual void close(ConnectionId id) = 0;
   virtual void send(ConnectionId id, std::string bytes) = 0;
-  /// Somebody listens to the flight recorder: what nobody reads is not described.
+  /// The flight recorder has a subscriber; without one, frames need no description.
   [[nodiscard]] virtual bool isTraced(Channel channel) const = 0;
-  /// A frame or a faulty piece of stream for the flight recorder.
+  /// A frame or a faulty part of the stream, for the flight recorder.
   virtual void trace(Instant now, Channel channel, bool sent, std::string_view bytes,
                      std::string meaning) = 0;
 };

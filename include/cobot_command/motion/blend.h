@@ -1,9 +1,9 @@
-// How a motion passes into the next one without a stop at the corner between them.
+// Blending: how a motion continues into the next one without a stop at the corner.
 //
-// The next motion starts while the one before it still slows down, and for that time the two add up in joint
-// space: q(t) = before(t) + next(t - start) - corner. Both are continuous in position and speed, so their sum
-// is. Two PLines do not slow down: the next one takes over before the first one does, and rounds the corner
-// itself. See doc/motion.md.
+// The next motion starts while the previous one still decelerates. During this overlap the two are added in
+// joint space: q(t) = before(t) + next(t - start) - corner. Both are continuous in position and speed, so
+// their sum is too. Two PLines do not decelerate: the next one takes over before the first one decelerates,
+// and rounds the corner itself. See doc/motion.md.
 #pragma once
 
 #include <limits>
@@ -15,17 +15,17 @@
 
 namespace cobot_command::motion {
 
-/// Of the time for which both motions are on their ramps, this share: 0 (a stop) .. 1.
+/// Share of the time in which both motions are on their ramps: 0 (a stop) .. 1.
 struct BlendShare {
   double value = 0.0;
 };
-/// The TCP leaves the path of the one motion, and is on the path of the other, within this distance of the
-/// corner [m]; 0: a stop.
+/// Within this distance of the corner the TCP leaves the path of the first motion and reaches the path of the
+/// second [m]; 0: a stop.
 struct BlendRadius {
   double metres = 0.0;
 };
-/// What is left out at most: of the way of the one motion its last part, of that of the other its first, each
-/// as a share (0..1); and the TCP stays within `radius` of the corner [m].
+/// Largest part of the paths that the blend may cut off: the last part of the first motion and the first part
+/// of the second, each as a ratio (0..1). The TCP also stays within `radius` of the corner [m].
 struct BlendWay {
   double before = 0.0;
   double next = 1.0;
@@ -33,76 +33,77 @@ struct BlendWay {
 };
 using Blend = std::variant<BlendShare, BlendRadius, BlendWay>;
 
-/// Two motions, each planned from rest to rest, the next one from the end of the one before it.
+/// Two motions, each planned from rest to rest. The second starts at the end of the first.
 struct Corner {
   const Trajectory& before;
   const Trajectory& next;
   arm::Pose tcp = arm::Pose::Identity();  ///< in the flange [m]
 };
 
-/// Of how an overlap may be.
+/// Limits of an overlap.
 struct OverlapLimits {
-  Duration most = Duration::max();  ///< such as the time to the end when the next motion becomes known
-  Duration step = Duration(1);      ///< it is a whole number of these
-  Duration least{};                 ///< a shorter one is a stop
+  Duration most = Duration::max();  ///< such as the remaining time when the next motion becomes known
+  Duration step = Duration(1);      ///< the overlap is a multiple of this
+  Duration least{};                 ///< a shorter overlap becomes a stop
 };
 
-/// From one moment of a motion to another, since that motion began.
+/// A time interval of a motion, since its start.
 struct Interval {
   Duration from{};
   Duration to{};
 };
 
-/// The overlap that the blend asks for by itself. None is longer, whenever the next motion becomes known:
-/// what keeps overlapAt() from it makes it shorter.
+/// The overlap that the blend requests. This is the upper bound, no matter when the next motion becomes
+/// known: the other limits of overlapAt() only shorten it.
 [[nodiscard]] Duration longestOverlap(const arm::ArmModel& arm, const Corner& corner, const Blend& blend);
 
-/// So much of the end of the one motion, and of the beginning of the other.
+/// Parts of a corner: the end of the first motion and the beginning of the second.
 struct CornerReach {
   Duration before{};
   Duration next{};
 };
 
-/// How much of both can be a corner when either is made at the speed that it was planned for, or at a lower
-/// one, each at its own: the project speed counts for the motions that start from then on. With the next one
-/// slow and long, more of the one before is a corner than longestOverlap() of both as planned has. The share
-/// that `next` has made of its reach is never more than that which `before` has made of its own. For motions
-/// whose speed grows and falls evenly, as of all that scripts have.
+/// The largest parts of both motions that can belong to the corner if each runs at its planned speed or at a
+/// lower one, independently of the other. This is needed because a project speed applies to the motions that
+/// start after it is set. If the next motion is slow and long, more of the first motion belongs to the corner
+/// than longestOverlap() of both as planned. The completed share of `next` within its reach never exceeds
+/// that of `before` within its own. Valid for motions whose speed rises and falls linearly, as all script
+/// motions.
 [[nodiscard]] CornerReach cornerReach(const arm::ArmModel& arm, const Corner& corner, const Blend& blend);
 
-/// Contains the arm wherever the two add up while `before` is at any moment of `of_before` and `next` at any
-/// of `of_next`, whatever the overlap: the sum of the ranges of both, less the corner. With the last and the
-/// first longestOverlap() it is the whole corner however late the next motion comes, a stop included. Who
-/// wants it closer cuts both times into parts, and needs no pair in which `next` is farther within its time
-/// than `before` is: it never is. Precondition: `next` begins where `before` ends. Refused with a moment of
-/// the one that has no range.
+/// A range that contains the arm wherever the two motions are added, with `before` at any time of `of_before`
+/// and `next` at any time of `of_next`, for every overlap: the sum of both ranges, minus the corner. With the
+/// last and the first longestOverlap() it covers the whole corner, however late the next motion arrives,
+/// including a stop. For a tighter range divide both times into parts. Pairs in which `next` has completed a
+/// larger share of its time than `before` can be omitted, because they never occur. Precondition: `next`
+/// starts where `before` ends. Refused if a time of either motion has no range.
 [[nodiscard]] Result<JointRange, Unbounded> cornerRange(const Trajectory& before, const Interval& of_before,
                                                         const Trajectory& next, const Interval& of_next);
 
-/// How long before the end of the first motion the next one can start. Never longer than the ramps of both
-/// and than half of each, so that three in a row do not overlap; than the blend asks for; nor than `limits`
-/// allow. Shorter, down to zero, where a joint would otherwise leave its limits or be faster than rated, or
-/// the TCP leave the radius.
+/// How long before the end of the first motion the next one can start. At most the ramps of both, half of
+/// each motion (so that three in a row do not overlap), the overlap that the blend requests, and `limits`.
+/// Shorter, down to zero, if otherwise a joint would leave its limits or exceed its rated speed, or the TCP
+/// would leave the radius.
 [[nodiscard]] Duration overlapAt(const arm::ArmModel& arm, const Corner& corner, const Blend& blend,
                                  const OverlapLimits& limits = {});
 
-/// Where the arm is when `next` begins `overlap` before the end of `before`; `time` counts from there.
+/// The state of the arm if `next` starts `overlap` before the end of `before`; `time` counts from that start.
 [[nodiscard]] JointState stateIn(const Trajectory& before, const Trajectory& next, Duration overlap,
                                  Duration time);
 
-/// The next motion as the arm makes it: over its first `overlap` the end of the one before it fades out.
-/// `next` itself where `overlap` is zero.
+/// The next motion as executed: during its first `overlap` the end of the previous motion is added. Returns
+/// `next` itself if `overlap` is zero.
 [[nodiscard]] TrajectoryPtr blended(const TrajectoryPtr& before, const TrajectoryPtr& next, Duration overlap);
 
-/// How the next motion takes over.
+/// The transition to the next motion.
 struct Passage {
-  Duration overlap{};     ///< so long before the end of the motion before it; zero: behind it
-  TrajectoryPtr path;     ///< as the arm makes it from there on
-  TrajectoryPtr planned;  ///< what passes into the motion behind it: `path` without the end of the one before
+  Duration overlap{};     ///< time before the end of the previous motion; zero: no overlap
+  TrajectoryPtr path;     ///< the motion as executed from there
+  TrajectoryPtr planned;  ///< for blending into the motion after it: `path` without the previous motion
 };
 
 /// `before` and `next` as in Corner, but `before` may be the `planned` of a passage. PLines with a BlendShare
-/// pass on at their speed where the arm can; all else blends by overlapAt().
+/// continue without deceleration if the arm can; all other motions blend with overlapAt().
 [[nodiscard]] Passage passInto(const arm::ArmModel& arm, const TrajectoryPtr& before,
                                const TrajectoryPtr& next, const arm::Pose& tcp, const Blend& blend,
                                Duration left = Duration::max());

@@ -1,4 +1,4 @@
-// Between which angles each joint stays for a while: a promise, which proofs rest on.
+// Proven bounds of each joint over a time interval.
 #pragma once
 
 #include <string>
@@ -18,12 +18,12 @@ struct JointRange {
 
   [[nodiscard]] arm::JointVector centre() const { return 0.5 * (lower + upper); }
   [[nodiscard]] arm::JointVector widths() const { return upper - lower; }
-  /// `tolerance`: so far outside each joint may be [rad, not negative].
+  /// `tolerance`: distance outside the range that is accepted for each joint [rad, not negative].
   [[nodiscard]] bool contains(const arm::JointVector& joints, double tolerance = 0.0) const {
     return (joints.array() >= lower.array() - tolerance).all() &&
            (joints.array() <= upper.array() + tolerance).all();
   }
-  /// Contains them, too, from then on.
+  /// Extends the range to contain them.
   void include(const arm::JointVector& joints) { include(of(joints)); }
   void include(const JointRange& other) {
     lower = lower.cwiseMin(other.lower);
@@ -31,19 +31,20 @@ struct JointRange {
   }
 };
 
-/// So much a range is wider than what was proved, on either side [rad]. Sums and products of joints are off
-/// by some 1e-15 rad; of what an inverse makes of rounding, paths take care themselves. 1e-9 rad move no part
-/// of an arm by more than a few nanometres.
+/// Margin added to each side of a proven range [rad]. Rounding of sums and products of joints is about 1e-15
+/// rad. Paths account for the rounding of the inverse kinematics separately. 1e-9 rad moves no part of an arm
+/// by more than a few nanometres.
 inline constexpr double kRangeRoom = 1e-9;
 
-/// Why there is no range: UNBOUNDED. Nothing can be proved of the joints between two moments of a motion.
+/// Why there is no range (UNBOUNDED): nothing can be proven about the joints between two times of a motion.
 struct Unbounded {
-  Duration from{};      ///< since the motion began
-  Duration to{};        ///< likewise
+  Duration from{};      ///< since the start of the motion
+  Duration to{};        ///< since the start of the motion
   std::string message;  ///< "UNBOUNDED: ...": where, why, what to do
 };
 
-/// With its message; `why` and what to do: "the path is too close to a singularity: choose another path".
+/// Builds the message; `why` is the cause and the remedy: "the path is too close to a singularity: choose
+/// another path".
 [[nodiscard]] Unbounded unbounded(Duration from, Duration to, const char* why);
 
 }  // namespace cobot_command::motion

@@ -1,4 +1,4 @@
-// One segment of a PVT of the joints by itself, checked as the whole is.
+// Checks a single segment of a joint PVT, with the same checks as a whole PVT.
 #pragma once
 
 #include <optional>
@@ -10,22 +10,22 @@
 
 namespace cobot_command::motion {
 
-/// How far a joint may be beyond what is allowed, as what is said in a PVT is rounded.
+/// Tolerances beyond the joint limits and rated speeds, because the numbers of a PVT are rounded.
 struct PvtRoom {
   double position = 1e-6;  ///< [rad]
-  double speed = 1e-3;     ///< share of the rated speed
+  double speed = 1e-3;     ///< ratio of the rated speed
 };
 
 struct PvtOffence {
   Refusal::Reason reason = Refusal::Reason::JointLimit;  ///< or JointSpeed
   int joint = 0;
-  double time = 0.0;        ///< since the segment began [s]
+  double time = 0.0;        ///< since the start of the segment [s]
   double found = 0.0;       ///< [rad or rad/s]
-  arm::JointVector joints;  ///< there [rad]
+  arm::JointVector joints;  ///< at that time [rad]
 };
 
-/// The cubic from `from` to the point, in closed form: where each joint turns round, and where it is fastest.
-/// A joint that is outside its limits may come back, and go no further out.
+/// Checks the cubic from `from` to the point in closed form: where each joint reverses, and where it is
+/// fastest. A joint outside its limits may return, but must not move further out.
 [[nodiscard]] std::optional<PvtOffence> checkPvtSegment(const arm::ArmModel& arm, const JointState& from,
                                                         const PvtJointPoint& to, const PvtRoom& room = {});
 

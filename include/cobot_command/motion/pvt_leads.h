@@ -1,4 +1,4 @@
-// How a move with ramps of its own is said by a PVT whose cubics are nowhere steeper than the move.
+// Represents a move with its own ramps by a PVT whose cubics are nowhere steeper than the move.
 #pragma once
 
 #include <vector>
@@ -9,15 +9,15 @@
 
 namespace cobot_command::motion {
 
-/// How far ahead of its plan the move has to be at each of these times since it began, with the speed of the
-/// plan [s]; less than 0: behind it. The acceleration of a cubic grows evenly, so one that only has the
-/// places and speeds of the move at both ends goes above it where that bends: by up to 28 % beside the corner
-/// of a ramp.
+/// The time by which the move must be ahead of its plan at each of these times since its start, with the
+/// speed of the plan [s]; negative: behind the plan. The acceleration of a cubic is linear in time, so a
+/// cubic with the positions and speeds of the move at both ends exceeds the move's acceleration where that
+/// curve bends: by up to 28 % next to the corner of a ramp.
 ///
-/// `times` grow; the first one is not after the begin of the move, the last one not before its end, and at
-/// both it is as planned. So it is all along its cruise, where both its ends are among them. A ramp that has
-/// its ends among them is at most 0.5 % steeper than planned, any other as little as can be without getting
-/// far from its plan. A command without ramps of its own is always as planned.
+/// `times` must increase. The first is not after the start of the move and the last not before its end; at
+/// both the lead is zero. The lead is also zero all along the cruise if both ends of the cruise are among the
+/// times. A ramp whose ends are among the times is at most 0.5 % steeper than planned; any other ramp as
+/// little as possible without large deviations from its plan. A command without its own ramps has no lead.
 [[nodiscard]] std::vector<double> leadsAt(const Command& command, const Trajectory& move,
                                           const std::vector<Duration>& times);
 

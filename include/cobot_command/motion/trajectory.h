@@ -1,4 +1,4 @@
-// A motion that was planned wholly and can be made: where every joint is at every time.
+// A completely planned motion: the position of every joint at every time.
 //
 // Immutable; safe to share between threads.
 #pragma once
@@ -26,32 +26,32 @@ class Trajectory {
   [[nodiscard]] virtual Duration duration() const = 0;
 
   /// The state at `time` since the start; before it the start, after the duration the end. At rest at the
-  /// end, and at the start too unless it is blended. The same time always gives the bit-identical state, in
-  /// whatever order it is asked.
+  /// end, and also at the start unless it is blended. The same time always gives the bit-identical state, in
+  /// any order of calls.
   [[nodiscard]] virtual JointState at(Duration time) const = 0;
 
-  /// How long it speeds up from rest, and slows down before its end.
+  /// Duration of the acceleration from rest and of the deceleration before the end.
   [[nodiscard]] virtual Duration timeUp() const = 0;
   [[nodiscard]] virtual Duration timeDown() const = 0;
 
-  /// How much of its way is done, 0..1; of its time, where it has no one profile.
+  /// Completed share of the path, 0..1. Share of the time if the motion has no single profile.
   [[nodiscard]] virtual double progress(Duration time) const {
     return std::clamp(toSeconds(time) / std::max(toSeconds(duration()), 1e-9), 0.0, 1.0);
   }
 
-  /// Of the TCP that it was planned for [m]; 0 of one that says nothing of a TCP.
+  /// Path length of the TCP for which it was planned [m]; 0 if the motion was not planned for a TCP.
   [[nodiscard]] virtual double tcpWay() const { return 0.0; }
 
   [[nodiscard]] JointState end() const { return at(duration()); }
 
-  /// Contains every joint at every moment between both times, not only at those that somebody asks for: a
-  /// proof, each kind of motion has its own (doc/motion.md). Times are clamped as those of at(), in either
-  /// order. Of one moment, and of an arm at rest, the posture; all with kRangeRoom. The shorter the time, the
-  /// closer it is to what the joints really do. Refused where nothing can be proved.
+  /// A range that contains every joint at every time between the two times, not only at sampled times. It is
+  /// proven for each kind of motion (doc/motion.md). Times are clamped as in at() and may be in either order.
+  /// For one instant, or for an arm at rest, it is the posture. Every range includes kRangeRoom. The shorter
+  /// the interval, the tighter the range. Refused if nothing can be proven.
   [[nodiscard]] Result<JointRange, Unbounded> jointRange(Duration from, Duration to) const;
 
  private:
-  /// 0 <= from < to <= duration(). A kind that does not say how it moves between two moments is refused.
+  /// 0 <= from < to <= duration(). A kind of motion that does not implement it is refused.
   [[nodiscard]] virtual Result<JointRange, Unbounded> rangeWithin(Duration from, Duration to) const;
 };
 

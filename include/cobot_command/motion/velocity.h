@@ -1,5 +1,4 @@
-// Motion without a target: the arm takes a velocity and keeps it, until the next one or until nobody asks for
-// it any more.
+// Motion without a target: the arm takes a velocity and keeps it until the next one is set or its time ends.
 #pragma once
 
 #include <optional>
@@ -15,26 +14,24 @@
 namespace cobot_command::motion {
 
 struct SetVelocity {
-  /// Of each joint [rad/s]; or of the TCP.
+  /// Of each joint [rad/s], or of the TCP.
   std::variant<arm::JointVector, TcpVelocity> velocity;
-  Duration ramp{};  ///< from the velocity before to this one, and from this one to rest; above 0
-  std::optional<Duration>
-      lasting;  ///< from now until it slows down, at least `ramp`; absent: see kMaxLasting
+  Duration ramp{};  ///< from the previous velocity to this one, and from this one to rest; above 0
+  std::optional<Duration> lasting;  ///< from now until deceleration, at least `ramp`; absent: kMaxLasting
 };
 
-/// A velocity that is set for no time lasts as long as this: nobody can steer for so long without another
-/// one.
+/// Longest duration of a velocity, and the default. An operator sets another velocity much earlier.
 inline constexpr Duration kMaxLasting = std::chrono::minutes(10);
 
 struct VelocityMotion {
-  TrajectoryPtr trajectory;  ///< to rest; begins with the velocity that the arm has
-  /// Why it comes to rest sooner than it was asked to: what is in its way.
+  TrajectoryPtr trajectory;  ///< to rest; starts with the current velocity of the arm
+  /// Why the arm stops earlier than requested.
   std::optional<Refusal> ends_at;
 };
 
-/// The velocity grows, or falls, evenly in `ramp`, and evenly to rest at the end; with speed_override times
-/// what is asked for. Where the arm cannot go on it is at rest before. Refused: what cannot be done even for
-/// `ramp`.
+/// The velocity changes linearly during `ramp`, and linearly to rest at the end. The requested velocity is
+/// multiplied by speed_override. If the arm cannot continue, it stops before that point. Refused if the
+/// velocity is not possible even for `ramp`.
 [[nodiscard]] Result<VelocityMotion, Refusal> planVelocity(const arm::ArmModel& arm, const JointState& now,
                                                            const SetVelocity& set, const Setting& setting);
 

@@ -1,4 +1,4 @@
-// What is left of a way that was planned, seen from a time on it.
+// The remaining path of a planned motion at a given time.
 #pragma once
 
 #include "cobot_command/arm/types.h"
@@ -7,11 +7,11 @@
 
 namespace cobot_command::motion {
 
-/// When that share, 0..1, is done of the way that is left behind `time`; to a millisecond.
+/// The time at which this share, 0..1, of the path remaining after `time` is completed; to a millisecond.
 [[nodiscard]] Duration timeOfShareLeft(const Trajectory& motion, Duration time, double share);
 
-/// An arc through these places [m] is so flat that it is not planned as one, and a line is as good: it leaves
-/// its chord by less than a fifth of a millimetre.
+/// True if an arc through these positions [m] is too flat to be planned as an arc, and a line can replace it:
+/// it deviates from its chord by less than a fifth of a millimetre.
 [[nodiscard]] bool isNextToStraight(const Eigen::Vector3d& begin, const Eigen::Vector3d& middle,
                                     const Eigen::Vector3d& end);
 

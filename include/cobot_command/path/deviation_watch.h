@@ -1,5 +1,5 @@
-// How far the arm is from its plan, by what the status stream shows of it: how a real controller makes a PVT
-// between its points is told nowhere.
+// Measures the deviation of the arm from its plan with the status stream. It is not documented how a real
+// controller interpolates a PVT between its points.
 #pragma once
 
 #include <array>
@@ -13,26 +13,26 @@
 namespace cobot_command::path {
 
 struct Deviation {
-  double joint = 0;  ///< the largest of any joint from where it should be by then, its lag included [rad]
-  double path =
-      0;  ///< the largest distance of the moved frame from the planned curve, whenever it is there [m]
-  double lag = 0;  ///< the delay by which the plan fits best, 0..0.5 [s]; 0 without motion
+  double joint = 0;  ///< largest error of any joint at its planned time, lag included [rad]
+  double path = 0;   ///< largest distance of the moved frame from the curve, at any time [m]
+  double lag = 0;    ///< the delay with which the plan fits best, 0..0.5 [s]; 0 without motion
 };
 
-/// Of one path, from its start to its end.
+/// Watches one path, from its start to its end.
 class DeviationWatch {
  public:
   DeviationWatch(arm::ArmModel arm, PathPlan plan);
 
-  /// The arm had these joints [rad], so long after the path began. Ignored where one is not finite.
+  /// Adds measured joints [rad]; `time` is the time since the start of the path. Ignored if a value is not
+  /// finite.
   void add(Duration time, const arm::JointVector& joints);
 
   [[nodiscard]] Deviation deviation() const;
-  /// Of the sample that came last, from the planned curve [m].
+  /// Distance of the last sample from the planned curve [m].
   [[nodiscard]] double offThePath() const { return last_; }
 
  private:
-  /// Delays that are tried: so many, so far apart; the first is one ahead of the plan.
+  /// Number of tested delays, and their spacing. The first delay is one step ahead of the plan.
   static constexpr std::size_t kDelays = 27;
   static constexpr Duration kDelay = std::chrono::milliseconds(20);
   [[nodiscard]] static Duration delay(std::size_t i) { return kDelay * (static_cast<Duration::rep>(i) - 1); }

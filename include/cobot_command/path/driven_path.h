@@ -1,9 +1,8 @@
-// What was sent of a path, in its order, and how far the robot has come on it: the way to drive back.
+// The executed part of a path, in its order, and the progress of the robot on it. Used to retrace the path.
 //
-// Its time is that of the plans, one behind the other; where the robot stood meanwhile no time passes. Only
-// where it was stopped on its way, which then was planned anew from there, a nanosecond does: so either side
-// of such a cut has a time of its own.
-// A value: a copy costs a pointer for each piece.
+// Its time is the time of the plans, one after the other; standstill between them takes no time. If the robot
+// was stopped on the path and the path was planned again from there, a nanosecond is inserted, so both sides
+// of such a cut have their own time. A value: a copy costs one pointer per piece.
 #pragma once
 
 #include <algorithm>
@@ -21,80 +20,83 @@
 
 namespace cobot_command::path {
 
-/// No robot takes longer to stop, in the time of its path: so far it may have come behind what was seen of
-/// it.
+/// Upper bound of the time that a robot takes to stop, in path time. The robot may be this far past its last
+/// observed place.
 inline constexpr Duration kLongestStop = std::chrono::seconds(3);
 
 class DrivenPath {
  public:
-  /// So many points are remembered at least; of a longer path the last ones.
+  /// Minimum number of remembered points. Of a longer path the last ones are kept.
   static constexpr std::size_t kMostPoints = 1000;
-  /// Within this of each joint the robot is at a place [rad].
+  /// The robot is at a place if each joint is within this distance [rad].
   static constexpr double kSamePlace = 0.0017453;
   [[nodiscard]] static bool isSamePlace(const arm::JointVector& a, const arm::JointVector& b) {
     return (a - b).cwiseAbs().maxCoeff() <= kSamePlace;
   }
 
-  // --- What becomes of the path. Points are counted from the first one of it on.
-  /// A piece, from rest to rest, behind what was sent; its first point is that one. What the robot has passed
-  /// and nobody can ask for any more is forgotten.
+  // --- Progress of the path. Points are counted from its first point.
+  /// Appends a piece, from rest to rest, to the sent path; `first` is the number of its first point. Pieces
+  /// that the robot has passed are discarded if enough points remain.
   void send(std::shared_ptr<const PathPlan> plan, std::size_t first);
-  /// The robot is in the motion of that point, at that time of it; behind the last point at the end. Never
-  /// back.
+  /// The robot is in the motion of that point, at that time of the motion; a point after the last one means
+  /// the end. Progress never decreases.
   void come(std::size_t point, Duration time);
-  /// The robot stands with these joints, next to where it was seen last: a little further, or not yet there,
-  /// as it may be slower than its clock. False: it is not on its way.
+  /// The robot has stopped with these joints, near its last observed place: slightly after it, or slightly
+  /// before it, because the robot may be slower than its clock. Returns false if the robot is not on the
+  /// path.
   bool stand(const arm::JointVector& joints);
-  /// The same; and what lies in front of it is taken back, and goes on from there. Where it is not on its
-  /// way, all that it has driven is forgotten.
+  /// The same, and the path after this place is discarded. The next piece continues from there. If the robot
+  /// is not on the path, the whole driven path is discarded.
   void cut(const arm::JointVector& joints);
-  /// The robot was brought to there, along it.
+  /// The robot was moved along the path to this place.
   void bringTo(Duration place) { last_ = place; }
 
-  // --- The way.
-  /// The robot has not moved on it.
+  // --- The driven path.
+  /// True if the robot has not moved on the path.
   [[nodiscard]] bool isEmpty() const { return reached_ == Duration::zero(); }
-  /// It is not the whole of what the robot has driven.
+  /// True if cut() has discarded what the robot drove before.
   [[nodiscard]] bool isCutShort() const { return is_cut_short_; }
-  /// Where the path has left the robot.
+  /// The place that the robot has reached by executing the path.
   [[nodiscard]] Duration reached() const { return reached_; }
-  /// Its joints there [rad]; nothing: where that was is not certain.
+  /// The joints there [rad]; std::nullopt: the place is uncertain.
   [[nodiscard]] const std::optional<arm::JointVector>& stood() const { return stood_; }
-  /// Where the robot was on it last.
+  /// The last place of the robot on the path.
   [[nodiscard]] Duration last() const { return last_; }
-  /// Of what is remembered, and of what was sent: where the robot was last is between them.
+  /// Start of the remembered path and end of the sent path. The last place of the robot is between them.
   [[nodiscard]] Duration begin() const;
   [[nodiscard]] Duration end() const;
-  /// The robot may have come to there, as it was moved on behind what was seen of it last.
+  /// The farthest place that the robot may have reached, because it may have moved on after its last observed
+  /// place.
   [[nodiscard]] Duration farthest() const { return std::min(end(), reached_ + kLongestStop); }
-  /// Before the begin where that is, after the end likewise. Precondition: it is not empty.
+  /// Before begin() the state there, after end() likewise. Precondition: not empty.
   [[nodiscard]] motion::JointState at(Duration time) const;
-  /// Where the robot was stopped on its way, with these joints: the time of the one side, that of the other
-  /// is a nanosecond later.
+  /// A place where the robot was stopped on the path, with its joints there. `end` is the time of the first
+  /// side; that of the other side is one nanosecond later.
   struct Cut {
     Duration end{};
     arm::JointVector joints;
   };
   [[nodiscard]] std::vector<Cut> cuts() const;
-  /// A point of a PVT of it: so far from at() the joints are there, so that no cubic is steeper than the
-  /// path.
+  /// A PVT point of the path. `lead` is the offset of its joints from at(), which keeps every cubic from
+  /// being steeper than the path.
   struct Knot {
     Duration time{};
     arm::JointVector lead;
   };
-  /// Between two times, but no more than `most`.
+  /// The points between two times, at most `most`.
   [[nodiscard]] std::vector<Knot> knots(Duration from, Duration until, std::size_t most) const;
 
-  // --- Its points, as their goals name them (PlannedPoint).
-  /// Whose point is the first one that is remembered. Precondition: it is not empty.
+  // --- Its points, identified by their goals (PlannedPoint).
+  /// The goal of the first remembered point. Precondition: not empty.
   [[nodiscard]] int firstGoal() const;
-  /// Whose point was under way last. Precondition: it is not empty.
+  /// The goal of the last active point. Precondition: not empty.
   [[nodiscard]] int lastGoal() const;
-  /// When it was driven past, or to: in a corner the middle of that. Nothing: it was not.
+  /// When the robot passed or reached the point; at a blended corner the middle of the overlap. std::nullopt:
+  /// not passed.
   [[nodiscard]] std::optional<Duration> passed(int goal, int index) const;
-  /// Where the first point of that goal was set out for; nothing: that is not remembered.
+  /// When the motion to the first point of the goal started; std::nullopt: not remembered.
   [[nodiscard]] std::optional<Duration> beginOf(int goal) const;
-  /// The points of that goal that were passed and are remembered, the first and the last one; nothing: none.
+  /// The first and the last passed point of the goal that are remembered; std::nullopt: none.
   struct Range {
     int first = 0;
     int last = 0;
@@ -104,15 +106,15 @@ class DrivenPath {
  private:
   struct Piece {
     std::shared_ptr<const PathPlan> plan;
-    std::size_t first = 0;                     ///< of its points
-    Duration begin{};                          ///< in the time of the way
-    Duration duration{};                       ///< as much of it as counts
-    std::optional<arm::JointVector> cut = {};  ///< where the robot was stopped, at its end
+    std::size_t first = 0;                     ///< number of its first point
+    Duration begin{};                          ///< in the time of the driven path
+    Duration duration{};                       ///< of the part that is used
+    std::optional<arm::JointVector> cut = {};  ///< joints where the robot was stopped, at its end
     [[nodiscard]] Duration end() const { return begin + duration; }
   };
 
   [[nodiscard]] static Duration passTime(const Piece& piece, std::size_t point);
-  /// There, which is a little further than where it was seen.
+  /// True if the robot has stopped there, slightly after its last observed place.
   [[nodiscard]] bool standsAt(const Piece& piece, Duration time) const;
   template <class Take>
   void forEachPassed(const Take& take) const;

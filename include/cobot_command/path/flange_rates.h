@@ -1,4 +1,4 @@
-// How fast the flange goes along a planned path.
+// Speed and acceleration of the flange on a planned path.
 #pragma once
 
 #include "cobot_command/arm/arm_model.h"
@@ -7,15 +7,15 @@
 
 namespace cobot_command::path {
 
-/// Absolute values, of its origin and of its turn.
+/// Absolute values, for the origin and the rotation.
 struct FlangeRates {
   double linear_velocity = 0;       ///< [m/s]
-  double linear_acceleration = 0;   ///< along its way and across it [m/s^2]
+  double linear_acceleration = 0;   ///< tangential and centripetal together [m/s^2]
   double angular_velocity = 0;      ///< [rad/s]
   double angular_acceleration = 0;  ///< [rad/s^2]
 };
 
-/// At rest before the plan, and behind it.
+/// Zero before and after the plan.
 [[nodiscard]] FlangeRates flangeRatesAt(const PathPlan& plan, Duration time, const arm::ArmModel& arm);
 
 }  // namespace cobot_command::path

@@ -1,5 +1,5 @@
-// What holds paths back, and how fast their time runs, from outside of any goal: tracking objects and the
-// feedrate.
+// Controls that act on all path goals from outside: tracking objects, which can hold back a goal, and the
+// feedrate, which scales the path time.
 #pragma once
 
 #include <array>
@@ -10,12 +10,12 @@ namespace cobot_command::path {
 
 inline constexpr std::size_t kTrackingObjects = 2;
 
-/// Of each tracking object: on.
+/// On or off, for each tracking object.
 using TrackingFlags = std::array<bool, kTrackingObjects>;
 
 struct TrackingObject {
   bool on = false;
-  bool automatic = false;  ///< switches itself to what the next goal wants
+  bool automatic = false;  ///< switches automatically to what the next goal requires
 };
 using TrackingObjects = std::array<TrackingObject, kTrackingObjects>;
 
@@ -23,7 +23,8 @@ inline bool operator==(const TrackingObject& a, const TrackingObject& b) {
   return a.on == b.on && a.automatic == b.automatic;
 }
 
-/// Whether a goal may load its points that wants the objects so: a gate that holds it back, and no more.
+/// True if a goal that requires these flags may load its points. The objects only hold a goal back; they have
+/// no other effect.
 [[nodiscard]] inline bool isGateOpen(const TrackingObjects& objects, const TrackingFlags& wanted) {
   for (std::size_t i = 0; i < kTrackingObjects; ++i) {
     if (objects[i].on != wanted[i]) return false;
@@ -31,21 +32,21 @@ inline bool operator==(const TrackingObject& a, const TrackingObject& b) {
   return true;
 }
 
-/// The highest feedrate [1]; and the lowest one above 0: at a lower one the shortest motion takes more than 3
-/// h.
+/// The highest feedrate [1], and the lowest one above 0. At a lower feedrate the shortest motion would take
+/// more than 3 h.
 inline constexpr double kHighestFeedrate = 1.25;
 inline constexpr double kLowestFeedrate = 1e-6;
 
 struct PathControls {
   TrackingObjects tracking{};
-  double feedrate = 1.0;  ///< (0..1.25]: so much faster runs the time of what is not sent yet
-  bool stopped = false;   ///< on the path: nothing more of it is sent, and nothing is lost
-  bool held = false;      ///< what the controller has stands on its way, as it has told
+  double feedrate = 1.0;  ///< (0..1.25]: time scale of the motions that are not sent yet
+  bool stopped = false;   ///< stopped on the path: nothing more is sent, and nothing is lost
+  bool held = false;      ///< the controller has reported that its current motion is paused
 
-  /// Of what is sent next.
+  /// Feedrate of what is sent next.
   [[nodiscard]] double asked() const { return stopped ? 0 : feedrate; }
-  /// Of what moves the arm now. `running`: that what the controller has was planned with; nothing: it has
-  /// nothing.
+  /// Feedrate of the current motion. `running`: the feedrate that the motions at the controller were planned
+  /// with; std::nullopt: the controller has none.
   [[nodiscard]] double effective(const std::optional<double>& running) const {
     return held ? 0 : running.value_or(asked());
   }

@@ -1,4 +1,4 @@
-// A path in pieces from rest to rest, each as the one PVT that is sent for it.
+// Divides a path into pieces from rest to rest, and converts each to the PVT that is sent for it.
 #pragma once
 
 #include <cstddef>
@@ -15,20 +15,21 @@
 namespace cobot_command::path {
 
 struct PathPiece {
-  PathPlan plan;   ///< from time 0
-  PvtBlock block;  ///< of all its points
+  PathPlan plan;   ///< starts at time 0
+  PvtBlock block;  ///< of all points of the plan
 };
 
 struct PieceLimits {
-  Duration segment = motion::kLeastSegment;  ///< at least that; whole milliseconds
-  std::size_t most_points = 5000;            ///< of one PVT
+  Duration segment = motion::kLeastSegment;  ///< shortest segment; whole milliseconds
+  std::size_t most_points = 5000;            ///< in one PVT
 };
 
-/// Of the whole plan, in its order. Each PVT is planned as those plan it who forecast it and who make it,
-/// from where the one in front of it ends: what is found good here is taken by them. Refused with the first
-/// point on whose way they would not (16#204, 1047, 16#206), or on which a PVT gets too long (16#277).
+/// The pieces of the whole plan, in order. Each PVT is planned from the end of the previous one, exactly as
+/// in the forecast and in the simulated arm, so a PVT that is valid here is accepted there. Refused with the
+/// first point whose motion would not be accepted (16#204, 1047, 16#206), or at which a PVT becomes too long
+/// (16#277).
 ///
-/// Of a path that PathPlanner has taken, no piece with the least segment is refused but as 16#277.
+/// For a path accepted by PathPlanner and the shortest segment, the only possible refusal is 16#277.
 [[nodiscard]] Result<std::vector<PathPiece>, PathRefusal> piecesOf(const PathPlan& plan,
                                                                    const PathScene& scene,
                                                                    const PieceLimits& limits = {});

@@ -1,4 +1,4 @@
-// A path as it is planned wholly: each point with its motion, and where the arm is at every time.
+// A completely planned path: each point with its motion, and the position of the arm at every time.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace cobot_command::path {
 
-/// As it counts, in the units of the point.
+/// The effective dynamics, in the units of the point.
 struct Dynamics {
   double speed = 0;
   double acceleration = 0;
@@ -25,7 +25,7 @@ struct Dynamics {
 };
 
 struct PlannedPoint {
-  int goal = 0;   ///< whose point: as the section says
+  int goal = 0;   ///< the goal of the point, from its section
   int index = 0;  ///< in the array of its goal
   PathPoint point;
   Dynamics dynamics;
@@ -34,23 +34,23 @@ struct PlannedPoint {
   motion::Command command;                        ///< in the robot base, at the feedrate
   motion::TrajectoryPtr motion;                   ///< from rest to rest
   Duration start{};                               ///< since the path began
-  Duration overlap{};  ///< so long before its end the next one begins; zero: the arm rests on the point
+  Duration overlap{};  ///< time before its end at which the next one starts; zero: a stop on the point
 
   [[nodiscard]] Duration end() const { return start + motion->duration(); }
-  /// It asks for a blend, and rests all the same.
+  /// True if the point requests a blend, but the arm stops on it.
   [[nodiscard]] bool losesBlend() const {
     return is(point.termination_type, Termination::Blend) && overlap == Duration::zero();
   }
 };
 
-/// A value: a copy can be tried out and thrown away; its motions are shared.
+/// A value: a copy can be changed and discarded; copies share the motions.
 class PathPlan {
  public:
   struct Place {
-    std::size_t point = 0;    ///< the one that moves the arm; while two blend the outgoing one
-    double share = 0.0;       ///< of its way, 0..1
-    bool blends = false;      ///< with the one behind it
-    double next_share = 0.0;  ///< of the way of that one
+    std::size_t point = 0;    ///< the point that moves the arm; during a blend the outgoing point
+    double share = 0.0;       ///< completed share of its path, 0..1
+    bool blends = false;      ///< with the next point
+    double next_share = 0.0;  ///< completed share of the path of the next point
   };
 
   explicit PathPlan(const arm::JointVector& start) : start_(start) {}
@@ -59,21 +59,21 @@ class PathPlan {
   [[nodiscard]] Duration duration() const {
     return points_.empty() ? Duration::zero() : points_.back().end();
   }
-  /// Before the start where it begins, after the duration where it ends; the same time always gives the
-  /// bit-identical state.
+  /// Before the start the start, after the duration the end. The same time always gives the bit-identical
+  /// state.
   [[nodiscard]] motion::JointState at(Duration time) const;
-  /// Precondition: there are points.
+  /// Precondition: the plan has points.
   [[nodiscard]] Place placeAt(Duration time) const;
 
-  /// Behind the last point, `overlap` before that one's end.
+  /// Appends the point; its motion starts `overlap` before the end of the last point.
   void append(PlannedPoint point, Duration overlap);
-  /// Points `first` to those in front of `behind`, as a path of its own: it begins with the first one, at
-  /// time 0, and ends where the last one does.
+  /// Points `first` up to, not including, `behind`, as a separate path: it starts with `first` at time 0 and
+  /// ends at the end of the last point.
   [[nodiscard]] PathPlan part(std::size_t first, std::size_t behind) const;
 
  private:
   [[nodiscard]] arm::JointVector beginOf(std::size_t point) const;
-  /// The last that has begun.
+  /// The last point that has started.
   [[nodiscard]] std::size_t begunAt(Duration time) const;
 
   arm::JointVector start_;

@@ -1,4 +1,4 @@
-// From the points of goals to one planned path: the one planner of checks, previews, execution and tests.
+// Plans the points of goals as one path. Checks, previews, execution and tests all use this planner.
 #pragma once
 
 #include <memory>
@@ -12,54 +12,54 @@
 
 namespace cobot_command::path {
 
-/// What one goal loads: `number_of_moves` of its points from `start_index` on. No other point is looked at.
+/// The part that one goal loads: `number_of_moves` of its points from `start_index`. Other points are not
+/// checked.
 struct PathSection {
   std::vector<PathPoint> points;
   int start_index = 0;
   int number_of_moves = 0;
-  int goal = 0;  ///< the number of the goal: of a point without a move_id, and to tell goals apart
+  int goal = 0;  ///< number of the goal: reported for a point without a move_id, and distinguishes goals
 };
 
-/// So many points may an array have.
+/// Most points of an array.
 inline constexpr std::size_t kMostPoints = 1000;
-/// So many references may the poses of one goal have.
+/// Most reference frames of the poses of one goal.
 inline constexpr std::size_t kMostReferences = 3;
 
-/// 1010 to 1032: what is wrong with a section whoever plans it, the first point first.
+/// Errors 1010 to 1032: errors of a section that do not depend on the planner, first point first.
 [[nodiscard]] std::optional<PathRefusal> checkSection(const PathSection& section,
                                                       const tables::DataTables& tables);
-/// The same before it is known what is in the tables by then: without 1031 and 1032.
+/// The same if the contents of the tables are not known yet: without 1031 and 1032.
 [[nodiscard]] std::optional<PathRefusal> checkSection(const PathSection& section);
 
-/// A value: a copy can be tried out and thrown away. Sections that are planned behind each other are one
-/// path: points 0..9 as one section, or as two, give the bit-identical trajectory, but that each section
-/// states its own dynamics. What rests can be taken out, so that a chain without an end is planned by one
-/// that stays small.
+/// A value: a copy can be used to try a section and be discarded. Consecutive sections form one path: points
+/// 0..9 as one section or as two give the bit-identical trajectory, except that each section states its own
+/// dynamics. Completed parts can be taken out, so a planner for an endless chain stays small.
 class PathPlanner {
  public:
   explicit PathPlanner(PathScene scene);
 
-  /// Plans a section behind all before it. Refused: it is not appended.
+  /// Plans a section after all previous ones. A refused section is not appended.
   [[nodiscard]] std::optional<PathRefusal> append(const PathSection& section);
 
-  /// Points that were planned before, behind all that is here, at the feedrate of the scene: the same way to
-  /// the same targets, at another pace. `before`: the planner that they ended in, of which increments behind
-  /// them go on. Refused: nothing is appended.
+  /// Appends already planned points again at the feedrate of the scene: the same path to the same targets,
+  /// with another speed. `before` is the planner in which they were the last points; increments after them
+  /// continue from it. A refusal appends nothing.
   [[nodiscard]] std::optional<PathRefusal> appendAgain(const std::vector<PlannedPoint>& points,
                                                        const PathPlanner& before);
 
-  /// The arm rests on the last point, whatever that says; what is planned behind it begins from there.
+  /// The arm stops on the last point, whatever its termination type. The next section starts from there.
   void closeEnd() { closed_ = true; }
-  /// Takes out all up to the last point on which the arm certainly rests: a stop, a blend that is lost, a
-  /// move without a way, a closed end. What stays are the points that blend on, or may blend with the next
-  /// section. Both are paths from time 0.
+  /// Takes out all points up to the last one on which the arm certainly stops: a stop, a lost blend, a move
+  /// of zero length, a closed end. Points that blend, or may blend with the next section, remain. Both parts
+  /// are paths from time 0.
   [[nodiscard]] PathPlan takeRested();
 
-  /// What is not taken out.
+  /// The points that are not taken out.
   [[nodiscard]] const PathPlan& plan() const { return plan_; }
   [[nodiscard]] const PathScene& scene() const { return *scene_; }
-  /// What the feedrate, tables and world are from the next section on; its start is not looked at, as the
-  /// path goes on from its end.
+  /// Sets feedrate, tables and world from the next section on. Its start is ignored, because the path
+  /// continues from its end.
   void setScene(PathScene scene);
 
  private:
@@ -70,8 +70,8 @@ class PathPlanner {
 
   std::shared_ptr<const PathScene> scene_;
   PathPlan plan_;
-  bool closed_ = false;                     ///< the last point, or the start where there is none
-  std::shared_ptr<const Written> written_;  ///< the last pose as it was given: increments add to its numbers
+  bool closed_ = false;                     ///< of the last point, or of the start if there is none
+  std::shared_ptr<const Written> written_;  ///< the last pose as given: increments are added to its numbers
 };
 
 }  // namespace cobot_command::path

@@ -1,4 +1,4 @@
-// Why a path is not loaded: the number of LoadPath's manual, the point and the joint to blame.
+// Why a path is refused: the error number of the LoadPath manual, the point and the joint.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace cobot_command::path {
 
-/// Decimal, as in the manual; behind them numbers that mean the same in all blocks.
+/// Decimal as in the manual, followed by numbers that all blocks share.
 namespace path_error {
 inline constexpr int kMovesExceedArray = 1010;
 inline constexpr int kStartIndex = 1012;
@@ -55,7 +55,7 @@ struct PathRefusal {
   int index = -1;     ///< of the point in the array; -1: none
   int joint = -1;     ///< 0..8; -1: none
   std::string found;  ///< found, allowed, what to do
-  /// Where the moved frame of the point would offend, in the robot base [m].
+  /// Where the moved frame of the point would violate the limit, in the robot base [m].
   std::optional<arm::Pose> where = std::nullopt;
 };
 

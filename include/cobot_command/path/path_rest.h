@@ -1,4 +1,4 @@
-// What is left of a motion that was planned, where the arm has come to stand on its way.
+// The remaining part of a planned motion after the arm has stopped on the path.
 #pragma once
 
 #include "cobot_command/arm/arm_model.h"
@@ -7,9 +7,10 @@
 
 namespace cobot_command::path {
 
-/// To be planned again (PathPlanner::appendAgain) from where the arm stands. An arc, whose own place to pass
-/// may lie behind the arm by now, gets another one on the same circle; its last millimetre is a line.
-/// `time`: since the motion began, by its plan.
+/// The remaining motion, to be planned again (PathPlanner::appendAgain) from the position of the arm. An arc
+/// gets another via point on the same circle, because the arm may have passed the original one. A nearly
+/// straight rest of an arc (motion::isNextToStraight) becomes a line. `time`: since the start of the motion,
+/// in its plan.
 [[nodiscard]] PlannedPoint restOf(const PlannedPoint& point, Duration time, const arm::ArmModel& arm);
 
 }  // namespace cobot_command::path

@@ -1,4 +1,5 @@
-// What a path is planned in: the arm, where it begins, and what its numbers of tools and frames mean.
+// The environment of path planning: the arm, the start of the path, and the tables that tool and frame
+// numbers refer to.
 #pragma once
 
 #include <optional>
@@ -11,10 +12,10 @@ namespace cobot_command::path {
 
 struct PathScene {
   arm::ArmModel arm;
-  arm::JointVector start;            ///< where the robot stands [rad]
+  arm::JointVector start;            ///< posture of the robot [rad]
   tables::DataTables tables{};       ///< of tools and frames
-  std::optional<arm::Pose> world{};  ///< in the robot base [m]; nothing: nobody knows where it is
-  double feedrate = 1.0;             ///< (0..1.25]: as much faster as time runs
+  std::optional<arm::Pose> world{};  ///< in the robot base [m]; std::nullopt: unknown
+  double feedrate = 1.0;             ///< (0..1.25]: time scale of the path
 };
 
 }  // namespace cobot_command::path

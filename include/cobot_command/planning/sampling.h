@@ -1,4 +1,4 @@
-// A trajectory as a few points: for answers, plots and markers.
+// Samples a trajectory at a few points, for answers, plots and markers.
 #pragma once
 
 #include <cstddef>
@@ -17,15 +17,15 @@ struct JointPoint {
   arm::JointVector velocity;  ///< [rad/s]
 };
 
-/// So many steps after each other, from zero to `last`; 0: zero alone.
+/// Times from zero to `last` in this number of equal steps; 0: only zero.
 [[nodiscard]] std::vector<Duration> evenTimes(Duration last, std::size_t steps);
 
-/// `count` points (at least 2), evenly from the start to `until`, or to the end where that is earlier; one
-/// where there is no time between them.
+/// `count` points (at least 2) at equal intervals from the start to `until`, or to the end if that is
+/// earlier. One point if the interval is empty.
 [[nodiscard]] std::vector<JointPoint> jointPath(const motion::Trajectory& trajectory, std::size_t count,
                                                 Duration until = Duration::max());
 
-/// The TCP in the robot base [m] at the same times. `tcp`: in the flange.
+/// The TCP poses in the robot base [m] at the same times. `tcp`: in the flange.
 [[nodiscard]] std::vector<arm::Pose> toolPath(const arm::ArmModel& arm, const motion::Trajectory& trajectory,
                                               const arm::Pose& tcp, std::size_t count,
                                               Duration until = Duration::max());

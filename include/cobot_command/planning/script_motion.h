@@ -1,4 +1,4 @@
-// What a motion line of a script (mm, degrees, ms, %) means for the arm: a command of motion/ (SI).
+// Converts a motion line of a script (mm, degrees, ms, %) to a command of motion/ (SI).
 #pragma once
 
 #include <optional>
@@ -13,17 +13,17 @@
 
 namespace cobot_command::planning {
 
-/// What stands between PVTEnter and PVTExit: one motion.
+/// The points between PVTEnter and PVTExit: one motion.
 struct PvtBlock {
   bool cartesian = false;
   std::vector<script::PvtPoint> points;
 };
 
-/// The script commands that move the arm to a place.
+/// The script commands that move the arm to a target.
 using ScriptMotion = std::variant<script::Ptp, script::Line, script::Circle, script::MovePtp,
                                   script::MoveLine, script::PLine, script::MovePLine, PvtBlock>;
 
-/// Refused when the pose bits are not 0..1, 2..3, 4..5; all other checks are motion::plan's.
+/// Refused if the pose bits are not 0..1, 2..3, 4..5. motion::plan does all other checks.
 [[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const script::Ptp& ptp);
 [[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const script::Line& line);
 [[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const script::Circle& circle);
@@ -34,9 +34,9 @@ using ScriptMotion = std::variant<script::Ptp, script::Line, script::Circle, scr
 [[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const PvtBlock& pvt);
 [[nodiscard]] Result<motion::Command, motion::Refusal> toMotion(const ScriptMotion& any);
 
-/// How the motion passes into the one behind it; nothing when it stops: a blend value of 0 or below. Above
-/// 100 % is 100 %. With a blend value it does not matter whether precise positioning is on: nothing settles
-/// at a corner that is passed.
+/// The blend into the next motion; std::nullopt if the motion stops: a blend value of 0 or below. A value
+/// above 100 % counts as 100 %. With a blend value precise positioning has no effect, because the arm does
+/// not settle at a blended corner.
 [[nodiscard]] std::optional<motion::Blend> blendOf(const ScriptMotion& motion);
 
 }  // namespace cobot_command::planning

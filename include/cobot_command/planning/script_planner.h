@@ -1,5 +1,5 @@
-// A list of script commands, planned end to end: where each motion starts, how long it takes, whether it can
-// be made. Sends and moves nothing; the simulated arm plans with the same code.
+// Plans a list of script commands end to end: where each motion starts, how long it takes, and whether it is
+// possible. It sends and moves nothing. The simulated arm plans with the same code.
 #pragma once
 
 #include <optional>
@@ -18,33 +18,35 @@
 
 namespace cobot_command::planning {
 
-/// What a plan knows of where the arm will stand [rad]: 1 degree. The stream rounds far finer, but real arms
-/// are calibrated one by one, and tools are turned up to 0.6 degrees from where the nominal geometry has
-/// them.
+/// Uncertainty of the start posture of a plan [rad]: 1 degree. The status stream rounds much finer, but real
+/// arms are calibrated individually, and the orientation of their tools differs by up to 0.6 degrees from the
+/// nominal geometry.
 inline constexpr double kStartTolerance = degToRad(1.0);
 
-/// A blend radius for which the path on one side of the corner is too short.
+/// A blend radius that is too large for the path on one side of the corner.
 struct BlendMisfit {
-  double radius = 0.0;     ///< as it was asked for [m]
-  double allowed = 0.0;    ///< half of the length of the TCP's path in this step [m]
-  bool of_before = false;  ///< the radius is that of the motion before, this step's path is the one behind it
+  double radius = 0.0;     ///< as requested [m]
+  double allowed = 0.0;    ///< half of the length of the TCP path of this step [m]
+  bool of_before = false;  ///< the radius is that of the previous motion; the path of this step is the one
+                           ///< after the corner
 };
 
 struct PlannedStep {
-  /// False: a motion of which nobody can say more, as its start, base or TCP is not known; or a stop of one.
+  /// False: a motion that cannot be planned because its start, base or TCP is unknown, or a stop during a
+  /// motion.
   bool planned = true;
-  /// As the arm makes it if nothing comes behind; null for what is no motion, and for what is not planned.
+  /// As executed if no motion follows; null if the command is not a motion or is not planned.
   motion::TrajectoryPtr trajectory;
-  Duration start{};     ///< since the sequence began; before the end of the step before it, where it blends
+  Duration start{};  ///< since the start of the sequence; with a blend, before the end of the previous step
   Duration duration{};  ///< from there to a stop at its own end
-  /// The motion is planned all the same, with as much of the blend as there is room for.
+  /// The motion is planned in spite of the misfit, with as much of the blend as possible.
   std::optional<BlendMisfit> misfit;
 };
 
-/// A value: a copy can be tried out and thrown away.
+/// A value: a copy can be used to try commands and be discarded.
 class ScriptPlanner {
  public:
-  /// What is known where the sequence begins.
+  /// The known state at the start of the sequence.
   struct Start {
     std::optional<arm::JointVector> joints;                 ///< [rad]; absent: unknown
     std::optional<arm::Pose> base = arm::Pose::Identity();  ///< in the robot base [m]; absent: unknown
@@ -56,36 +58,36 @@ class ScriptPlanner {
   ScriptPlanner(arm::ArmModel arm, const arm::JointVector& joints, const motion::Setting& setting)
       : ScriptPlanner(std::move(arm), Start{joints, setting.base, setting.tcp, setting.speed_override}) {}
 
-  /// Plans `command` behind all before it. Refused: it is not appended.
+  /// Plans `command` after all previous ones. A refused command is not appended.
   ///
-  /// A change of base or TCP counts for what follows: by value, or by the names RobotBase and NOTOOL. After
-  /// any other name that frame is unknown, and only motions in joint space are planned. After a motion that
-  /// was not planned nothing is, until the next joint target says where the arm is again. Everything else
-  /// takes no time; so do the points of a PVT, which is one motion, made at its PVTExit. Velocities that are
-  /// set are no motions here: nobody knows how long they last. A stop while there is motion leaves the arm
-  /// where nobody knows: it is no step that is planned. A motion with a blend value passes into the next one,
-  /// unless the TCP changes or the script waits for a tag between them.
+  /// A change of base or TCP applies to the commands after it: by value, or by the names RobotBase and
+  /// NOTOOL. After any other name that frame is unknown, and only motions in joint space are planned. After a
+  /// motion that was not planned, no motion is planned until the next joint target defines the position of
+  /// the arm again. All other commands take no time, including the points of a PVT, which is one motion
+  /// executed at its PVTExit. Velocity commands are not planned, because their duration is unknown. After a
+  /// stop during a motion the position of the arm is unknown, so that step is not planned. A motion with a
+  /// blend value blends into the next one, unless the TCP changes or the script waits for a tag between them.
   ///
-  /// `arrival`: when the robot gets the command, since the sequence began. One that arrives after the motion
-  /// before it has ended starts from rest then; one that arrives after the place where it could have blended
-  /// blends with what is left.
+  /// `arrival`: when the robot receives the command, since the start of the sequence. A command that arrives
+  /// after the previous motion has ended starts from rest then. A command that arrives too late for the full
+  /// blend uses the remaining part.
   [[nodiscard]] Result<PlannedStep, motion::Refusal> append(const script::ScriptCommand& command,
                                                             Duration arrival = Duration::zero());
 
-  /// Base, TCP and project speed of what follows, from somebody who knows them better. Another TCP than
-  /// before ends the blend.
+  /// Sets base, TCP and project speed for the following commands, from a better source. A TCP different from
+  /// the previous one ends the blend.
   void follow(const Start& frames);
 
-  /// False: nobody knows where the last motion ends.
+  /// False: the end of the last motion is unknown.
   [[nodiscard]] bool jointsKnown() const { return end_.has_value(); }
-  /// Where the last motion ends [rad]. Precondition: jointsKnown().
+  /// The end of the last motion [rad]. Precondition: jointsKnown().
   [[nodiscard]] const arm::JointVector& joints() const { return *end_; }
-  /// What the next motion is planned with; an unknown frame stands as the identity.
+  /// Settings of the next motion; an unknown frame is given as the identity.
   [[nodiscard]] motion::Setting setting() const;
   [[nodiscard]] bool framesKnown() const { return base_ && tcp_; }
-  /// Where a sequence would start that comes behind this one.
+  /// The start of a sequence that follows this one.
   [[nodiscard]] Start end() const { return {end_, base_, tcp_, speed_override_}; }
-  /// When the last motion that was planned comes to a stop.
+  /// When the last planned motion stops.
   [[nodiscard]] Duration duration() const { return duration_; }
 
  private:
@@ -113,8 +115,8 @@ class ScriptPlanner {
   std::optional<arm::Pose> tcp_;
   double speed_override_;
   Duration duration_{};
-  motion::TrajectoryPtr last_;          // what passes into the motion behind it
-  std::optional<motion::Blend> blend_;  // of it; nothing when it stops
+  motion::TrajectoryPtr last_;          // blends into the next motion
+  std::optional<motion::Blend> blend_;  // of last_; std::nullopt if it stops
   PvtBlock pvt_;                        // since its PVTEnter
 };
 

@@ -1,5 +1,6 @@
-// What is left of motions that were planned, where the arm has come to stand on its way: script lines that
-// bring it to the same targets by the same way, wherever an offset would begin from another place now.
+// The remaining part of planned motions after the arm has stopped on the path: script lines that lead to the
+// same targets on the same path. Relative motions are converted, because an offset would now start from
+// another position.
 #pragma once
 
 #include <optional>
@@ -14,27 +15,27 @@
 
 namespace cobot_command::planning {
 
-/// Lines as they were planned, with a motion for each of them that moves the arm.
+/// Script lines as planned, with a trajectory for each line that moves the arm.
 struct PlannedLines {
   std::vector<script::ScriptCommand> commands;
   std::vector<motion::TrajectoryPtr> motions;
   ScriptPlanner::Start start;  ///< base and TCP are those of the lines
 };
 
-/// Where the arm is on them.
+/// The position of the arm on the lines.
 struct PlaceOnLines {
   std::size_t motion = 0;
-  Duration time{};  ///< of that motion, since it began
+  Duration time{};  ///< since the start of that motion
 };
 
-/// Why what is left of such lines could not be told; nothing: it can. Lines that move the arm may stand with
-/// outputs, and not with what changes base, TCP or load, waits, or speaks of itself; those that do not move
-/// it are taken up as a whole.
+/// Why the remaining part of such lines cannot be determined; std::nullopt if it can. Lines that move the arm
+/// may be combined with outputs only. Lines that change base, TCP or load are accepted if no line moves the
+/// arm. Lines without motion are repeated as a whole. Other lines, such as waits, are not accepted.
 [[nodiscard]] std::optional<std::string> whyNotResumable(const PlannedLines& lines);
 
-/// Behind the place: the motion there to its end, and all that follows it. Empty: nothing is left. The end of
-/// an arc that is next to straight is a line; what is left of an arc angle, and is more than 300 degrees,
-/// becomes several arcs, between which the arm rests. Precondition: whyNotResumable() is nothing.
+/// The lines after the place: the rest of the current motion and all lines after it. Empty: nothing remains.
+/// A nearly straight rest of an arc becomes a line. The rest of an arc angle of more than 300 degrees becomes
+/// several arcs, and the arm stops between them. Precondition: whyNotResumable() is std::nullopt.
 [[nodiscard]] std::vector<script::ScriptCommand> restOf(const PlannedLines& lines, const PlaceOnLines& place,
                                                         const arm::ArmModel& arm);
 

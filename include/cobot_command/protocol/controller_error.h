@@ -1,12 +1,12 @@
-// What the numbers of Error_Code mean.
+// Meanings of the controller's error codes (Error_Code).
 #pragma once
 
 #include <string_view>
 
 namespace cobot_command::protocol {
 
-/// The meaning of a code in a few words; empty for one that is not known here. The controller has 766 of them
-/// (manual I848, error codes); these are those of motion and set-up (TM 2.6).
+/// Short meaning of a code; empty for an unknown code. The controller has 766 codes (manual I848, error
+/// codes); this table has those of motion and setup (TM 2.6).
 [[nodiscard]] std::string_view meaningOfError(int code);
 
 }  // namespace cobot_command::protocol

@@ -1,5 +1,5 @@
-// Numbers in what a script sends with ListenSend(): of a float or float[], four bytes each, the lowest first,
-// one behind the other (TM 1.5). The payload does not tell how many they are: who has asked knows.
+// Payload of ListenSend() with a float or float[]: four bytes per number, little endian, concatenated (TM
+// 1.5). The payload does not contain the count; the requesting side must know it.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace cobot_command::protocol {
 
-/// Exactly `count` finite numbers. Refused: another length, and numbers that are none; the message names the
-/// first one.
+/// Exactly `count` finite numbers. Refused: another length; a number that is not finite, and the message
+/// names the first one.
 [[nodiscard]] Result<std::vector<float>, MessageFault> parseFloats(std::string_view payload,
                                                                    std::size_t count);
 [[nodiscard]] std::string floatPayload(const std::vector<float>& numbers);

@@ -9,8 +9,8 @@
 
 namespace cobot_command::protocol {
 
-/// Upper limit of DATA that is accepted or sent [bytes]. The controller documents only int32; a path in one
-/// frame has up to 750 kB, so this leaves room and still bounds what a peer can make us store.
+/// Upper limit of DATA, accepted or sent [bytes]. The controller documents only int32. A path in one frame
+/// has up to 750 kB, so this limit leaves room and still bounds the memory that a peer can use.
 inline constexpr std::size_t kMaxDataLength = std::size_t{16} * 1024 * 1024;
 
 namespace header {
@@ -20,7 +20,7 @@ inline constexpr std::string_view kItems = "TMSVR";   ///< Ethernet Slave items,
 inline constexpr std::string_view kCommunicationError = "CPERR";
 }  // namespace header
 
-/// A frame as values. `header` may be unknown: whether it is known is for the receiver to say (CPERR 03).
+/// A decoded frame. `header` may be unknown; the receiver checks it (CPERR 03).
 struct Frame {
   std::string header;
   std::string data;
@@ -28,13 +28,13 @@ struct Frame {
   friend bool operator==(const Frame& a, const Frame& b) { return a.header == b.header && a.data == b.data; }
 };
 
-/// XOR of all bytes: of those between '$' and '*', for a frame.
+/// XOR of all bytes. For a frame: of the bytes between '$' and '*'.
 [[nodiscard]] std::uint8_t checksum(std::string_view bytes);
 
-/// The frame as bytes: decimal length, upper-case checksum. `data` may hold any bytes.
+/// The frame as bytes, with decimal length and upper-case checksum. `data` may contain any bytes.
 /// Preconditions: the header is not empty and has only letters; data.size() <= kMaxDataLength.
 [[nodiscard]] std::string encodeFrame(std::string_view header, std::string_view data);
-/// The same of DATA in parts, one behind the other.
+/// The same for DATA in parts, which are concatenated.
 [[nodiscard]] std::string encodeFrame(std::string_view header, std::initializer_list<std::string_view> data);
 
 }  // namespace cobot_command::protocol

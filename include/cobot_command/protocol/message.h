@@ -1,4 +1,4 @@
-// What the frames of port 5890 mean, as types, in both directions (TM 1.3 to 1.6).
+// Typed messages of the frames of port 5890, in both directions (TM 1.3 to 1.6).
 #pragma once
 
 #include <optional>
@@ -12,14 +12,14 @@
 
 namespace cobot_command::protocol {
 
-/// Client -> controller: run this script (one command a line). Id: isScriptId(). A controller takes "0" too,
-/// as it only echoes the id; its reply would then look like ListenNodeEntered.
+/// Client -> controller: run this script (one command per line). The id must satisfy isScriptId(). A
+/// controller also accepts "0" and only echoes the id; its reply would then look like ListenNodeEntered.
 struct ScriptRequest {
   std::string id;
   std::string script;
 };
 
-/// Controller -> client: the flow entered the Listen node (TMSCT with id 0).
+/// Controller -> client: the flow has entered the Listen node (TMSCT with id 0).
 struct ListenNodeEntered {
   std::string message;
 };
@@ -28,12 +28,12 @@ struct ListenNodeEntered {
 struct ScriptReply {
   std::string id;
   bool accepted = false;
-  std::vector<int> lines;  ///< warnings when accepted, errors when not
+  std::vector<int> lines;  ///< lines with warnings if accepted, with errors if not
 };
 
-/// TMSTA 00, asked: is the flow in a Listen node?
+/// TMSTA 00, query: is the flow in a Listen node?
 struct ListenNodeQuery {};
-/// TMSTA 00, answered. The message may hold commas.
+/// TMSTA 00, answer. The message may contain commas.
 struct ListenNodeState {
   bool listening = false;
   std::string message;
@@ -41,17 +41,17 @@ struct ListenNodeState {
 
 enum class TagState { Incomplete, Complete, Unknown };  ///< false, true, none
 
-/// TMSTA 01, asked. Outside 1..15 the controller answers none.
+/// TMSTA 01, query. For a tag outside 1..15 the controller answers none.
 struct TagQuery {
   int tag = 0;
 };
-/// TMSTA 01, answered or sent spontaneously when the tag completes.
+/// TMSTA 01, answer, or sent spontaneously when the tag is complete.
 struct TagReport {
   int tag = 0;
   TagState state = TagState::Unknown;
 };
 
-/// TMSTA 90..99: what a script sent with ListenSend(). Any bytes.
+/// TMSTA 90..99: data that a script sent with ListenSend(). Any bytes.
 struct ListenData {
   int channel = 90;
   std::string payload;
@@ -66,13 +66,12 @@ enum class CommunicationErrorCode {
   NotListening = 0xF1
 };
 
-/// CPERR, a code of the list above: carries no id, so it belongs to the oldest frame that has no answer yet.
+/// CPERR with one of the codes above. It has no id, so it refers to the oldest unanswered frame.
 struct CommunicationError {
   CommunicationErrorCode code = CommunicationErrorCode::Ok;
 };
 
-/// A frame whose header is known but whose data means nothing: for a controller CPERR 04 (or 03, for an
-/// unknown header).
+/// A frame with invalid data (the controller answers CPERR 04) or with an unknown header (CPERR 03).
 struct MessageFault {
   enum class Kind { UnknownHeader, Data };
   Kind kind = Kind::Data;
@@ -83,24 +82,23 @@ using ClientMessage = std::variant<ScriptRequest, ListenNodeQuery, TagQuery>;
 using ControllerMessage =
     std::variant<ListenNodeEntered, ScriptReply, ListenNodeState, TagReport, ListenData, CommunicationError>;
 
-/// What a client sent to the controller.
+/// Parses a message from a client to the controller.
 [[nodiscard]] Result<ClientMessage, MessageFault> parseClientMessage(const Frame& frame);
-/// What the controller sent to a client.
+/// Parses a message from the controller to a client.
 [[nodiscard]] Result<ControllerMessage, MessageFault> parseControllerMessage(const Frame& frame);
 
-/// The bytes of a message, ready for the wire.
+/// The encoded frame of a message.
 [[nodiscard]] std::string encode(const ClientMessage& message);
 [[nodiscard]] std::string encode(const ControllerMessage& message);
 
-/// One line for people: "script 12 accepted", "tag 3 complete", "not in a Listen node", "controller: checksum
+/// One readable line: "script 12 accepted", "tag 3 complete", "not in a Listen node", "controller: checksum
 /// error".
 [[nodiscard]] std::string describe(const ClientMessage& message);
 [[nodiscard]] std::string describe(const ControllerMessage& message);
-/// The meaning of any frame of either port and either direction, or why it means nothing.
+/// The meaning of any frame, of both ports and both directions, or why it has none.
 [[nodiscard]] std::string describe(const Frame& frame);
 
-/// What a client may use as id of a script: one or more of A-Z a-z 0-9, not "0", which is the controller's
-/// own.
+/// Valid script ids of a client: one or more of A-Z a-z 0-9, except "0", which the controller uses itself.
 [[nodiscard]] bool isScriptId(std::string_view id);
 
 }  // namespace cobot_command::protocol

@@ -1,7 +1,7 @@
 // The item stream of the Ethernet Slave, port 5891 (TMSVR; TM 3).
 //
-// DATA = Id,Mode,Content. Here: the BINARY format, which is what the vendor's ROS driver needs, and mode-0
-// replies.
+// DATA = Id,Mode,Content. This header has the BINARY format, which the vendor's ROS driver needs, and the
+// replies of mode 0.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct StatusItem {
   }
 };
 
-/// Makes items of the wire types: bool and byte 1 byte, int 4 bytes, float 4 bytes, float[n], string raw
+/// Creates items of the wire types: bool and byte have 1 byte, int and float 4 bytes; float[n]; string is raw
 /// UTF-8.
 namespace item {
 [[nodiscard]] StatusItem ofByte(std::string name, std::uint8_t value);
@@ -37,7 +37,7 @@ namespace item {
 [[nodiscard]] StatusItem ofFloats(std::string name, const std::vector<float>& values);
 [[nodiscard]] StatusItem ofString(std::string name, std::string value);
 
-/// Reads an item of that type; nothing when its size does not fit.
+/// Reads an item of that type; std::nullopt if its size does not fit.
 [[nodiscard]] std::optional<std::uint8_t> asByte(const StatusItem& item);
 [[nodiscard]] std::optional<bool> asBool(const StatusItem& item);
 [[nodiscard]] std::optional<std::int32_t> asInt(const StatusItem& item);
@@ -55,7 +55,7 @@ enum class StatusMode {
   ReadJson = 13
 };
 
-/// A TMSVR frame, its content not yet read. Mode as on the wire: it may be one that nobody knows.
+/// A TMSVR frame with undecoded content. The mode is as on the wire and may be unknown.
 struct StatusFrame {
   std::string id;
   int mode = 0;
@@ -68,10 +68,11 @@ struct StatusFrame {
 /// The content of a BINARY frame (mode 1, or the reply of mode 11).
 [[nodiscard]] Result<std::vector<StatusItem>, MessageFault> parseBinaryItems(std::string_view content);
 [[nodiscard]] std::string encodeBinaryItems(const std::vector<StatusItem>& items);
-/// The content of a request to read them (mode 11). Precondition: there are names, and none is empty.
+/// The content of a read request for these items (mode 11). Precondition: there is at least one name, and
+/// none is empty.
 [[nodiscard]] std::string encodeBinaryNames(const std::vector<std::string>& names);
 
-/// Mode 0: what became of a request. Codes: TM 3.
+/// Mode 0: the result of a request. Codes: TM 3.
 struct StatusReply {
   enum class Code {
     Ok = 0,
@@ -84,7 +85,7 @@ struct StatusReply {
     ValueError = 7
   };
   Code code = Code::Ok;
-  std::string item;  ///< the first offending item, where one is named
+  std::string item;  ///< the first invalid item, if one is named
 };
 [[nodiscard]] Result<StatusReply, MessageFault> parseStatusReply(std::string_view content);
 [[nodiscard]] std::string toContent(const StatusReply& reply);

@@ -1,7 +1,7 @@
-// The base and the TCP that the next command is taken in.
+// The base and the TCP that apply to the next command.
 //
-// What the controller streams, and what was commanded since: a change counts from its acceptance on, even
-// while motions in front of it still run in the old frames.
+// They combine the values streamed by the controller and those commanded since. A change counts from its
+// acceptance on, even while motions before it still run in the old frames.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@
 namespace cobot_command::robot {
 
 struct ActiveFrames {
-  std::optional<arm::Pose> base;    ///< in the robot base [m]; absent: unknown
-  std::string base_name;            ///< of the project; empty: given by value, or unknown
-  std::optional<arm::Pose> tcp;     ///< in the flange [m]; absent: unknown
-  std::string tcp_name;             ///< of the project; empty: given by value, or unknown
+  std::optional<arm::Pose> base;    ///< in the robot base [m]; nullopt: unknown
+  std::string base_name;            ///< name in the project; empty: given by value, or unknown
+  std::optional<arm::Pose> tcp;     ///< in the flange [m]; nullopt: unknown
+  std::string tcp_name;             ///< name in the project; empty: given by value, or unknown
   std::optional<double> tool_mass;  ///< [kg]
 
   friend bool operator==(const ActiveFrames& a, const ActiveFrames& b);

@@ -1,9 +1,9 @@
 // Where a motion should leave the robot, and whether the status stream shows it there.
 //
-// A real arm is calibrated: the same joints put its tool up to some millimetres from where the nominal model
-// has it (TM 4.1). So a joint target is compared joint by joint, a pose with the pose of the TCP that
-// the controller streams, which is that of its own, calibrated arm. What was planned as an offset from where
-// the robot stood has the error of the model in it, and is compared with as much more tolerance.
+// A real arm is calibrated: with the same joint angles its tool is up to some millimetres from where the
+// nominal model computes it (TM 4.1). So a joint target is compared joint by joint. A pose is compared with
+// the TCP pose that the controller streams, which is that of its own, calibrated arm. A target planned as an
+// offset from the robot's position contains the error of the model, so its tolerance is larger by that error.
 #pragma once
 
 #include <optional>
@@ -20,20 +20,22 @@ namespace cobot_command::robot {
 enum class TargetKind {
   Joints,
   Pose,
-  Offset  ///< a Cartesian one
+  Offset  ///< a Cartesian offset
 };
 
 struct Target {
   TargetKind kind = TargetKind::Joints;
-  arm::JointVector joints;    ///< as planned [rad]
-  arm::Pose tcp;              ///< in the flange [m]
-  bool is_the_start = false;  ///< it ends where it began, or next to it: to be there says little
+  arm::JointVector joints;  ///< as planned [rad]
+  arm::Pose tcp;            ///< in the flange [m]
+  /// The target is at or next to the start of the motion: being there proves little.
+  bool is_the_start = false;
 };
 
-/// Of the last motion among them; nothing when there is none, or a stop behind it.
+/// Kind of target of the last motion in the list; nullopt: there is no motion, or a stop follows it.
 [[nodiscard]] std::optional<TargetKind> targetKindOf(const std::vector<script::ScriptCommand>& commands);
 
-/// Of a last motion to joints: that is known also where it cannot be planned, for want of a start or a model.
+/// Target of a last motion to joints: it is known even if the motion cannot be planned because the start or
+/// the model is unknown.
 [[nodiscard]] std::optional<Target> jointTargetOf(const std::vector<script::ScriptCommand>& commands);
 
 struct ArrivalLimits {
@@ -46,8 +48,8 @@ struct Gap {
   std::string text;     ///< "J3 is 12.3 deg from its target"
 };
 
-/// How far the robot is from the target; nothing when the frame does not tell it. Only joints need no model
-/// (`arm`: nullptr).
+/// Distance of the robot from the target; nullopt: the frame does not show it. Only joint targets can be
+/// compared without a model (`arm`: nullptr).
 [[nodiscard]] std::optional<Gap> gapTo(const Target& target, const link::RobotStatus& status,
                                        const arm::ArmModel* arm, const ArrivalLimits& limits);
 

@@ -1,4 +1,4 @@
-// What the arm carries: the tool, and what that holds.
+// The payload of the arm: the tool, and the load in the tool.
 #pragma once
 
 #include <optional>
@@ -10,34 +10,34 @@
 
 namespace cobot_command::robot {
 
-/// More than the arm carries.
+/// A payload above that of the arm.
 struct TooMuch {
   std::string text;    ///< "the active tool has 8 kg, tm5-900 carries 4 kg"
-  double payload = 0;  ///< [kg]
+  double payload = 0;  ///< largest allowed payload [kg]
 };
 
 class Burden {
  public:
-  /// Takes what the command says of tool or load, if it does. `behind_motion`: the robot may still have to
-  /// finish others first.
+  /// Stores the tool or the load that the command sets; false: it sets neither. `behind_motion`: the robot
+  /// may still have to finish other motions before the change.
   bool accepted(const script::ScriptCommand& command, bool behind_motion);
-  /// What waited behind a motion has come.
+  /// The changes that waited for a motion have taken effect.
   void queueDone() { tool_.behind_motion = load_.behind_motion = false; }
-  /// The queue was emptied, or may be: of a change that waited in it nobody knows whether it came.
+  /// The queue was emptied, or may have been: it is unknown whether a queued change has taken effect.
   void stopped();
-  /// Somebody else may have changed it.
+  /// Another client may have changed it.
   void forget() { *this = {}; }
 
-  /// Of what the tool holds, as it was commanded [kg]; nothing: it was not, or nobody knows.
+  /// Load in the tool, as commanded [kg]; nullopt: not commanded, or unknown.
   [[nodiscard]] std::optional<double> load() const { return load_.mass; }
 
-  /// Nothing when it can carry what is known of. `active` counts where it tells the mass of the tool; not
-  /// every stream does.
+  /// nullopt: the arm can carry the known payload. `active`: used if it has the mass of the tool, which not
+  /// every stream has.
   [[nodiscard]] std::optional<TooMuch> tooMuchFor(const arm::ArmModel& arm, const ActiveFrames& active) const;
 
  private:
   struct Commanded {
-    std::optional<double> mass;  // [kg]; absent: by a name, or not at all
+    std::optional<double> mass;  // [kg]; nullopt: set by a name, or not at all
     bool behind_motion = false;
   };
   Commanded tool_;

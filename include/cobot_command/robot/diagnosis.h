@@ -1,4 +1,4 @@
-// Why nothing can be commanded, or why nothing moves, in plain words.
+// Why no command is possible, or why nothing moves, in plain words.
 #pragma once
 
 #include <string>
@@ -8,11 +8,10 @@
 
 namespace cobot_command::robot {
 
-/// What the script port says, and what the status stream, which lives also without a project, knows besides.
+/// Combines the state of the script port with the status stream, which also works without a running project.
 [[nodiscard]] std::string diagnose(const link::ScriptLink& link, const RobotWatch& robot);
 
-/// Of a robot that can be commanded: what the status stream does not show of all that "ready" stands for;
-/// empty: nothing.
+/// For a robot that accepts commands: the parts of "ready" that the status stream does not show; empty: none.
 [[nodiscard]] std::string whatIsUnseen(const RobotWatch& robot);
 
 }  // namespace cobot_command::robot

@@ -1,8 +1,9 @@
-// The active base and TCP: what the controller streams, and what was commanded since.
+// The active base and TCP: the values streamed by the controller, and those commanded since.
 //
-// A change counts from its acceptance on, as the commands behind it are taken in it. The stream is behind by
-// a period at least, and by whole motions when the change waits behind them; so it is believed again only
-// when it shows the commanded value, or when the robot stands and it has shown another for long enough.
+// A change counts from its acceptance on, because it applies to the commands after it. The stream is late by
+// at least one period, and by whole motions if the change waits for them. So the stream counts again only
+// when it shows the commanded value, or when the robot is at standstill and the stream has shown another
+// value for long enough.
 #pragma once
 
 #include <optional>
@@ -15,20 +16,20 @@ namespace cobot_command::robot {
 
 class FrameWatch {
  public:
-  /// A change that the controller accepted; other commands mean nothing here. `behind_motion`: the robot may
-  /// still have to finish others first.
+  /// A command that the controller accepted; commands other than changes of base or TCP have no effect here.
+  /// `behind_motion`: the robot may still have to finish other motions before the change.
   void accepted(const script::ScriptCommand& command, bool behind_motion, Instant now);
   void robotChanged(const RobotWatch& robot, Instant now);
-  /// The queue was emptied: a change that waited in it will not come.
+  /// The queue was emptied: a queued change will not take effect.
   void stopped();
-  /// Nothing that was commanded is known to hold: the link is another one, or the project started anew.
+  /// No commanded value is known to apply: there is a new link, or the project was started again.
   void forget() { base_.reset(), tcp_.reset(); }
 
   [[nodiscard]] ActiveFrames frames() const;
 
  private:
   struct Commanded {
-    std::optional<arm::Pose> pose;  ///< absent: a name of the project, whose pose only the stream can tell
+    std::optional<arm::Pose> pose;  ///< nullopt: a name in the project, whose pose only the stream has
     std::string name;
     std::optional<double> mass;
     bool behind_motion = false;

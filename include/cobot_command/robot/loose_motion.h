@@ -1,6 +1,6 @@
-// Motions that no goal waits for any more, and that may still be under way: blended ones, which are done with
-// their acceptance, and whatever a stop was to end that was not confirmed. The next command may follow a
-// blended one at once; what nobody could stop holds it back.
+// Motions that no goal waits for any more, and that may still be running. These are blended motions, which
+// are done at their acceptance, and motions whose stop was not confirmed. The next command may follow a
+// blended motion at once. After an unconfirmed stop it must wait.
 #pragma once
 
 #include <optional>
@@ -16,28 +16,28 @@ class LooseMotion {
  public:
   static constexpr const char* kMayStillMove = "the robot may still move";
 
-  /// Does the layer know where the robot will come to rest? Never: velocities, which go on until others end
-  /// them.
+  /// Whether the end position of the motion is known. Never: velocities, which continue until another command
+  /// ends them.
   enum class End { Planned, Unknown, Never };
-  /// The controller has a motion whose end no tag will tell; `target`: where that is to be seen at its end,
-  /// if known.
+  /// The controller has a motion whose end no tag reports. `target`: expected position at its end, if known.
   void begin(const std::optional<Target>& target, End end, Instant now);
-  /// Nobody knows what the robot does; `why`: what was found. `target`: of what was to be stopped.
+  /// The state of the robot is unknown. `why`: what was found. `target`: of the motion that should be
+  /// stopped.
   void stopFailed(const std::string& why, const std::optional<Target>& target, Instant now);
-  /// It was stopped, is done, or nobody can be told any more.
+  /// The motion was stopped, is done, or no client can be notified of it any more.
   void end() { *this = LooseMotion(); }
-  /// A robot that is seen to stand has none, once a motion had the time to be seen.
+  /// A robot that is seen at standstill has no such motion, after the time that a motion needs to be seen.
   void see(const RobotWatch& robot, Instant now);
 
   [[nodiscard]] bool mayMove() const { return state_ != State::None; }
-  /// It may move, and nobody can plan from where it will stand.
+  /// The robot may move, and no motion can be planned from where it will stop.
   [[nodiscard]] bool endsUnknown() const { return mayMove() && end_ != End::Planned; }
-  /// It may move, and who waits for its end does not wait for ever.
+  /// The robot may move, and the motion ends automatically.
   [[nodiscard]] bool endsByItself() const { return mayMove() && end_ != End::Never; }
-  /// Of a stop that failed: nothing may queue behind it unseen.
+  /// After an unconfirmed stop: no command may be sent before the robot is seen at standstill.
   [[nodiscard]] bool holdsBack() const { return state_ == State::Unstopped; }
   [[nodiscard]] const std::optional<Target>& target() const { return target_; }
-  /// Of a stop that failed, for people; empty: none did.
+  /// Text about an unconfirmed stop, for people; empty: there is none.
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:

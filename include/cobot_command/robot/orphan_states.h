@@ -1,5 +1,5 @@
-// Whether the robot moves on from before this connection, as a table: a lost link, or the end of a command
-// node, lets the controller finish what it has queued.
+// Whether the robot continues a motion from before this connection, as a table. After a lost link, or after
+// the end of a command node, the controller finishes its queued motions.
 //
 // An unlisted pair changes nothing (common/transition_table.h).
 #pragma once
@@ -10,11 +10,16 @@ namespace cobot_command::robot {
 
 enum class OrphanState {
   NoLink,
-  Looking,  ///< commands can be sent, and it has not been seen yet whether the robot moves
-  None,     ///< it stood, or it has been commanded since, or the flow was elsewhere: the project moves it
-  Held,     ///< it stands, but a pause or a safeguard holds what may be queued from before
-  Moving,   ///< it moves, and no goal of this layer asked for it
-  Unseen    ///< it moved when it was last seen: a stream that is gone shows no robot that stands
+  /// Commands can be sent, and it has not been seen yet whether the robot moves.
+  Looking,
+  /// It was at standstill, or it has been commanded since, or the flow was in another node: then the project
+  /// moves it.
+  None,
+  /// It is at standstill, but a pause or a safeguard may hold back motions queued before.
+  Held,
+  Moving,  ///< it moves without a goal of this layer
+  /// It moved when it was last seen; without a stream its standstill cannot be seen.
+  Unseen
 };
 
 enum class OrphanEvent {
@@ -23,7 +28,7 @@ enum class OrphanEvent {
   SeenMoving,
   SeenStanding,
   SeenHeld,
-  OutOfSight,  ///< nobody can tell any more whether it moves
+  OutOfSight,  ///< it is no longer visible whether it moves
   Commanded,   ///< a command of this layer was sent
   Stopped,     ///< a stop was confirmed
   LinkGone

@@ -1,4 +1,5 @@
-// A motion from before this connection (states: orphan_states.h): found once, told, and perhaps stopped.
+// Detects a motion from before this connection (states: orphan_states.h). It is found and reported once, and
+// may be stopped.
 #pragma once
 
 #include "cobot_command/robot/orphan_states.h"
@@ -14,9 +15,9 @@ class OrphanWatch {
   [[nodiscard]] bool mayMove() const {
     return state_ == OrphanState::Moving || state_ == OrphanState::Held || state_ == OrphanState::Unseen;
   }
-  /// What is to be told of it; empty: nothing.
+  /// Text about it, for people; empty: there is none.
   [[nodiscard]] const char* text() const;
-  /// True once for each that is found.
+  /// True once for each motion that is found.
   [[nodiscard]] bool takeFound();
 
  private:

@@ -1,12 +1,13 @@
-// Values of the controller's project that were asked for by one script, and what has come of them.
+// Values of the controller's project that one script has requested, and their answers.
 //
-// TMSTA 90..99 carry no id, and go to all clients. They are told apart by the order on the wire, as the
-// controller runs the scripts of all clients strictly one after the other: what is ours stands between the
-// mark that our script sends first and the reply to our script, and its answers come in the order of its
-// lines. What comes before the mark is of scripts before (run_script, other clients), what comes behind the
-// reply of later ones. Whatever does not fit makes the whole reading fail: no value is ever guessed.
+// TMSTA 90..99 have no id, and are sent to all clients. They are assigned by their order on the wire, because
+// the controller runs the scripts of all clients strictly one after the other. The answers to this script are
+// between the mark that it sends first and the reply to it, in the order of its lines. Data before the mark
+// belongs to earlier scripts (run_script, other clients), data after the reply to later ones. Any data that
+// does not fit makes the whole reading fail: no value is ever guessed.
 //
-// Sans-I/O: it is told what was sent and what comes, in the order of the wire (ScriptLink::next()).
+// Sans-I/O: it is notified of what was sent and what was received, in the order of the wire
+// (ScriptLink::next()).
 #pragma once
 
 #include <optional>
@@ -24,48 +25,49 @@ namespace cobot_command::robot {
 
 struct ReadValue {
   script::AttributeRead read;
-  std::vector<double> numbers;  ///< finite, as many as the attribute has, in its units; floats on the wire
+  /// Finite, as many as the attribute has, in its units; floats on the wire.
+  std::vector<double> numbers;
 };
 
 struct ReadFailure {
   enum class Kind {
     Unknown,       ///< ERROR on lines of `reads`: the project does not have these names
     NoListenSend,  ///< ERROR on the line of the mark: TMflow before script::kAttributesSince
-    Refused,       ///< ERROR on lines that are none, or without any
-    NotTaken,      ///< CPERR: not in the Listen node, above all
-    NoAnswer,      ///< no reply in time, from the caller's clock or the link's
-    Incomplete,    ///< OK, but nothing came for `reads`
-    Payload,       ///< what came for the one of `reads` is no value of it
-    Mixed,         ///< what came is not what the lines send
-    Lost           ///< the connection is gone
+    Refused,       ///< ERROR on other lines, or without line numbers
+    NotTaken,      ///< CPERR: usually because the flow is not in the Listen node
+    NoAnswer,      ///< no reply in time, by the caller's clock or the link's
+    Incomplete,    ///< OK, but no data arrived for `reads`
+    Payload,       ///< the data for the one read in `reads` is no value of it
+    Mixed,         ///< the data is not what the lines send
+    Lost           ///< the connection is closed
   };
   Kind kind = Kind::Lost;
-  std::vector<script::AttributeRead> reads;  ///< that it is about; empty: all
+  std::vector<script::AttributeRead> reads;  ///< reads that the failure concerns; empty: all
   std::string reason;                        ///< one line for people
 };
 
-/// All values in the order of the reads, or none.
+/// All values in the order of the reads, or no value.
 using ReadOutcome = Result<std::vector<ReadValue>, ReadFailure>;
 
 class ReadLedger {
  public:
-  /// It was sent under this id (ScriptLink::sendScript() of its text). Precondition: !waiting().
+  /// The script was sent under this id (ScriptLink::sendScript() of its text). Precondition: !waiting().
   void sent(script::ReadingScript script, std::string script_id, Instant deadline);
   [[nodiscard]] bool waiting() const { return state_ != ReadState::Idle; }
 
-  /// Whether it belongs to the script; if not, it is for somebody else.
+  /// True: the data belongs to the script; false: it belongs to another client or script.
   bool take(const protocol::ListenData& data);
 
-  // --- The outcome, once; nothing when that was not what it waits for.
+  // --- The outcome, once; nullopt: the event was not the awaited one.
   [[nodiscard]] std::optional<ReadOutcome> take(const link::ScriptAnswered& answered);
-  /// When the deadline has come. What comes later is nobody's.
+  /// Call it when the deadline has passed. Data that arrives later is ignored.
   [[nodiscard]] std::optional<ReadOutcome> advance(Instant now);
   [[nodiscard]] std::optional<ReadOutcome> lost(const std::string& reason);
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
 
  private:
   using Kind = ReadFailure::Kind;
-  /// False: not listed.
+  /// False: the event is not listed for this state.
   bool fire(ReadEvent event);
   void store(const protocol::ListenData& data);
   [[nodiscard]] ReadFailure failureOf(const protocol::ScriptReply& reply) const;
@@ -77,7 +79,7 @@ class ReadLedger {
   std::string script_id_;
   Instant deadline_{};
   std::vector<ReadValue> values_;
-  std::optional<ReadFailure> broken_;  ///< by what came first that does not fit
+  std::optional<ReadFailure> broken_;  ///< the first data that does not fit
 };
 
 }  // namespace cobot_command::robot

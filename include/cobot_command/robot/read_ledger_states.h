@@ -1,7 +1,7 @@
-// Which of what the controller sends belongs to a script that reads, as a table.
+// Which data from the controller belongs to a reading script, as a table.
 //
-// An unlisted pair changes nothing (common/transition_table.h): numbers that come before the mark are of
-// other scripts.
+// An unlisted pair changes nothing (common/transition_table.h): numbers before the mark belong to other
+// scripts.
 #pragma once
 
 #include "cobot_command/common/transition_table.h"
@@ -9,20 +9,21 @@
 namespace cobot_command::robot {
 
 enum class ReadState {
-  Idle,       ///< nobody has asked
-  Sent,       ///< the controller is busy with what others sent before
-  Collecting  ///< the mark has come: it runs this script, and no other before its reply
+  Idle,  ///< nothing was requested
+  Sent,  ///< the controller may still run scripts sent earlier by others
+  /// The mark has arrived: the controller runs this script, and no other before its reply.
+  Collecting
 };
 
 enum class ReadEvent {
   Send,
   Mark,
-  Numbers,  ///< under a channel of an attribute
-  End       ///< the reply, or there will be none
+  Numbers,  ///< on a channel of an attribute
+  End       ///< the reply, or the certainty that there is none
 };
 
 enum class ReadAction {
-  Begin,  ///< nothing has come yet
+  Begin,  ///< no value has arrived yet
   Store,
   Tell
 };
@@ -41,7 +42,7 @@ struct ReadTable {
     {S::Sent,       E::Mark,    S::Collecting, A::Begin},
     {S::Sent,       E::End,     S::Idle,       A::Tell},
 
-    {S::Collecting, E::Mark,    S::Collecting, A::Begin},  // the one before was somebody else's
+    {S::Collecting, E::Mark,    S::Collecting, A::Begin},  // the mark before belonged to another script
     {S::Collecting, E::Numbers, S::Collecting, A::Store},
     {S::Collecting, E::End,     S::Idle,       A::Tell},
   };

@@ -1,6 +1,6 @@
-// How long the reason is awaited of what the script port told first: a tag that is `false`, a connection that
-// was closed. The status stream, a connection of its own, shows the error or the emergency stop a frame
-// later.
+// Waits for the reason of an event that the script port has reported first: a tag that is `false`, or a
+// connection that was closed. The status stream has its own connection, and shows the error or the emergency
+// stop a frame later.
 #pragma once
 
 #include <string>
@@ -11,17 +11,17 @@ namespace cobot_command::robot {
 
 class ReasonWait {
  public:
-  /// For people, while it lasts; `what`: has ended, as far as it is known.
+  /// Text for people during the wait; `what`: the end that is known so far.
   [[nodiscard]] static std::string text(const std::string& what) {
-    return what + "; the status stream may tell why";
+    return what + "; the status stream may show the reason";
   }
 
   void begin(Instant now) {
     last_ = now;
     frames_ = 0;
   }
-  /// A frame without the reason. True: no more are awaited. Those that come in one piece count once, as they
-  /// may all have been on their way for long.
+  /// Call it for a frame without the reason. True: the wait is over. Frames that arrive together count once,
+  /// because all of them may have been delayed.
   [[nodiscard]] bool endsWithFrame(Instant now) {
     if (now > last_) ++frames_;
     last_ = now;

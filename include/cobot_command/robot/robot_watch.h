@@ -1,4 +1,4 @@
-// What is known of the robot at this moment: the last frame of the status stream, while the stream delivers.
+// The present knowledge about the robot: the last frame of the status stream, while the stream delivers.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@
 
 namespace cobot_command::robot {
 
-/// "error 0x14058: ..." as far as it is known.
+/// "error 0x14058: ...", as far as it is known.
 [[nodiscard]] std::string errorText(const link::RobotStatus& status);
 
-/// Where one frame has shown the robot; nothing of what it did not have.
+/// The position of the robot in one frame; nullopt: the frame did not have it.
 struct StreamedPlace {
   std::optional<std::array<double, 6>> joints_deg;
   std::optional<std::array<double, 6>> tool_in_base_mm_deg;  ///< the active TCP in the active base
@@ -25,48 +25,48 @@ struct StreamedPlace {
 class RobotWatch {
  public:
   void update(const link::RobotStatus& status);
-  /// The stream stopped: nothing is known any more.
+  /// The stream stopped: the state is unknown.
   void forget();
 
   [[nodiscard]] const std::optional<link::RobotStatus>& status() const { return status_; }
 
-  /// Nothing when it cannot be told, or not yet.
+  /// nullopt: not known, or not known yet.
   [[nodiscard]] std::optional<bool> moving() const { return standstill_.moving(); }
-  /// Nothing when it is not streamed, or not yet.
+  /// nullopt: not streamed, or not for long enough.
   [[nodiscard]] std::optional<Trend> trend() const { return trend_.trend(); }
-  /// There is a stream of which it can be told, if need be after some frames.
+  /// True: the stream shows whether the robot moves, if necessary after some frames.
   [[nodiscard]] bool tellsMotion() const { return status_ && (status_->joint_velocities || status_->joints); }
-  /// Or not any more: it is held, though a stream without that says nothing of it.
+  /// True: this layer has paused the robot; false: no longer. Needed if the stream does not show the pause.
   void pausedByUs(bool paused) { paused_by_us_ = paused; }
-  /// The project is paused, or a safeguard holds the robot: motions take as long as that lasts.
+  /// The project is paused, or a safeguard pauses the robot: motions wait as long as that lasts.
   [[nodiscard]] bool held() const;
-  /// With it the script port is closed.
+  /// The script port is closed too.
   [[nodiscard]] bool projectStopped() const { return status_ && status_->project_running == false; }
   [[nodiscard]] bool paused() const { return status_ && status_->project_paused.value_or(false); }
   [[nodiscard]] bool tellsPause() const { return status_ && status_->project_paused; }
-  /// The stream says whether it is in automatic mode, in an error, and stopped in an emergency.
+  /// True: the stream shows the operating mode, errors and the emergency stop.
   [[nodiscard]] bool tellsTrouble() const {
     return status_ && status_->operating_mode && status_->error && status_->emergency_stop;
   }
   [[nodiscard]] bool emergencyStop() const { return status_ && status_->emergency_stop.value_or(false); }
-  /// Nobody but who holds the pendant may move the robot.
+  /// Only the operator with the pendant may move the robot.
   [[nodiscard]] bool manualMode() const { return status_ && status_->operating_mode == kManual; }
-  /// The controller is in an error that nobody has acknowledged.
+  /// The controller is in an error that was not acknowledged.
   [[nodiscard]] bool inError() const { return showsError() && !error_acknowledged_; }
   [[nodiscard]] bool showsError() const { return status_ && status_->error.value_or(false); }
-  /// Somebody answers for the error that is shown: it counts no more, until it is gone or is another one.
+  /// The displayed error is acknowledged: it no longer counts, until it is gone or replaced by another one.
   void acknowledgeError() { error_acknowledged_ = showsError(); }
   void takeBackAcknowledgement() { error_acknowledged_ = false; }
-  /// The same, and what it carries if that is too much.
+  /// The same for the present status, with the payload if it is too heavy.
   [[nodiscard]] std::string errorText() const;
-  /// Nothing: what the arm carries is not too much for it, as far as is known.
+  /// nullopt: as far as is known, the payload is not too heavy for the arm.
   void carries(std::optional<TooMuch> too_much) { too_much_ = std::move(too_much); }
   [[nodiscard]] const std::optional<TooMuch>& tooMuch() const { return too_much_; }
 
   [[nodiscard]] std::optional<arm::JointVector> joints() const;
-  /// For people; empty: joints() are known.
+  /// Why joints() is nullopt, for people; empty: joints() is known.
   [[nodiscard]] std::string whyNoJoints() const;
-  /// The active TCP in the flange, also from the poses of flange and tool; nothing when neither is told.
+  /// The active TCP in the flange, also from the poses of flange and tool; nullopt: the stream has neither.
   [[nodiscard]] std::optional<arm::Pose> tcp() const;
   [[nodiscard]] double speedOverride() const;
 
@@ -75,7 +75,7 @@ class RobotWatch {
   [[nodiscard]] StreamedPlace place() const { return {jointsDeg(), toolInBaseMmDeg()}; }
 
  private:
-  static constexpr int kManual = 2;  // of MA_Mode
+  static constexpr int kManual = 2;  // value of MA_Mode
 
   std::optional<link::RobotStatus> status_;
   Standstill standstill_;

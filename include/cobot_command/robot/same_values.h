@@ -1,5 +1,5 @@
-// How far values may be apart that a controller has told, and count as the same all the same: half a step
-// more than the contract has them, as it tells floats.
+// Largest difference between two values of a controller that count as equal: half a step more than its
+// precision, because it sends floats.
 #pragma once
 
 #include "cobot_command/common/units.h"

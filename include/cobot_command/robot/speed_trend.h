@@ -1,4 +1,4 @@
-// Whether the tool gets faster or slower, by the speeds that the status stream tells.
+// Whether the tool accelerates or decelerates, from the speeds in the status stream.
 #pragma once
 
 #include <chrono>
@@ -14,16 +14,16 @@ enum class Trend { Standing, Accelerating, Decelerating, ConstantVelocity };
 
 class SpeedTrend {
  public:
-  /// So long a change is looked at.
+  /// Time span in which a change is measured.
   static constexpr Duration kSpan = std::chrono::milliseconds(100);
-  static constexpr double kChange = 0.010;  ///< in that time, that counts as one [m/s]
-  static constexpr double kMoving = 0.005;  ///< above that it moves [m/s]
+  static constexpr double kChange = 0.010;  ///< smallest speed change in that time that counts [m/s]
+  static constexpr double kMoving = 0.005;  ///< above this speed the tool moves [m/s]
 
   void see(const link::RobotStatus& status);
   /// The stream stopped.
   void forget() { speeds_.clear(); }
 
-  /// Nothing: the speed is not streamed, or not for long enough.
+  /// nullopt: the speed is not streamed, or not for long enough.
   [[nodiscard]] std::optional<Trend> trend() const;
 
  private:
@@ -31,7 +31,7 @@ class SpeedTrend {
     Instant at;
     double value;
   };
-  std::deque<Speed> speeds_;  ///< the first one is as old as the span, or older
+  std::deque<Speed> speeds_;  ///< the first one is at least as old as the span
 };
 
 }  // namespace cobot_command::robot

@@ -1,5 +1,5 @@
-// Whether a motion that should be under way has come to rest on its way: what another client's stop, which
-// nobody reports, looks like from here.
+// Detects that a motion that should be running has come to rest on its path. This is the effect of a stop by
+// another client, which no message reports.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@ namespace cobot_command::robot {
 
 class StallWatch {
  public:
-  /// With each status frame since the command was sent.
+  /// Call it for each status frame after the command was sent.
   void see(const RobotWatch& robot, Instant now);
-  /// The robot has moved since, and has stood for so long now, with no pause and no safeguard that holds it.
-  /// Never without joint angles: by speeds alone a slow motion looks like rest.
+  /// True: the robot has moved since, and has then been at standstill for `patience`, without a pause or a
+  /// safeguard. Always false without joint angles, because by speeds alone a slow motion looks like rest.
   [[nodiscard]] bool stalled(Duration patience) const;
-  /// It was looked into: the rest begins anew.
+  /// The standstill was examined: its time starts again.
   void lookedInto() { rest_.reset(); }
 
  private:

@@ -1,9 +1,9 @@
-// Whether the robot stands, by what its status stream shows: no joint has moved for a while; or, sooner than
-// that, every joint speed is next to nothing.
+// Whether the robot is at standstill, from its status stream: no joint has moved for a while, or, sooner than
+// that, every joint speed is almost zero.
 //
-// The joint speeds of a real arm that stands are noise, and no two arms have the same. It is learned from
-// what this one showed while its angles told that it stood: a speed above that is motion at once, and so is
-// one that is above any noise; below it the angles tell.
+// The joint speeds of a real arm at standstill are noise, which differs from arm to arm. The noise is learned
+// from the speeds while the angles show a standstill. A speed above the learned noise is motion at once, and
+// so is one above any possible noise. Below that the angles decide.
 #pragma once
 
 #include <deque>
@@ -21,7 +21,7 @@ class Standstill {
   /// The stream stopped.
   void forget() { *this = Standstill(); }
 
-  /// Nothing when it cannot be told, or not yet: by angles it takes some frames.
+  /// nullopt: not known, or not known yet: by angles it takes some frames.
   [[nodiscard]] std::optional<bool> moving() const { return moving_; }
 
  private:
@@ -32,12 +32,14 @@ class Standstill {
   };
   void keep(const link::RobotStatus& status, double fastest);
   void judgeByAngles();
-  /// Nothing: there is too little of them yet.
+  /// nullopt: there are too few angles yet.
   [[nodiscard]] std::optional<bool> movingByAngles() const;
 
   std::optional<bool> moving_;
-  std::deque<Place> places_;  ///< of as long as it takes to tell, and as many; the first may be older
-  double noise_ = 0;  ///< the fastest that any joint seemed to be while the angles told of rest [rad/s]
+  /// Places of the time, and of the number of frames, that a decision needs; the first may be older.
+  std::deque<Place> places_;
+  /// The highest speed of any joint while the angles showed a standstill [rad/s].
+  double noise_ = 0;
 };
 
 }  // namespace cobot_command::robot

@@ -1,5 +1,6 @@
-// Whether somebody else commands the robot: reports of tags that nobody here opened, and motion while nothing
-// of this layer is under way. Only told, never acted upon: what moves may be wanted.
+// Detects that another client commands the robot: reports of tags that this layer did not open, and motion
+// while no command of this layer is running. It only reports; it never acts, because the motion may be
+// wanted.
 #pragma once
 
 #include <optional>
@@ -12,19 +13,19 @@ namespace cobot_command::robot {
 
 class StrangerWatch {
  public:
-  /// The report of a tag that can be none of ours.
+  /// A report of a tag that cannot belong to this layer.
   void tagReported(int tag) { tag_ = tag; }
-  /// With each event: `ours`: whatever moves may be moved by this layer, or there is no link.
+  /// Call it for each event. `ours`: this layer may cause any motion, or there is no link.
   void see(const RobotWatch& robot, bool ours, Instant now);
-  /// Of another link nothing is known.
+  /// Nothing is known about a new link.
   void forget() { *this = StrangerWatch(); }
 
-  /// For people; empty: nobody was noticed.
+  /// For people; empty: no other client was detected.
   [[nodiscard]] std::string text() const;
 
  private:
   std::optional<int> tag_;
-  std::optional<Instant> idle_since_;  ///< nothing of ours is under way
+  std::optional<Instant> idle_since_;  ///< since then no command of this layer is running
   bool moves_ = false;
 };
 

@@ -1,10 +1,10 @@
-// What a project of the controller keeps under a name, and the lines of script that read and write it: values
-// of its TCPs and bases, and what its TCPs weigh (TM 2.4). One row for each in
-// src/script/project_attributes.cpp.
+// Attributes of TCPs and bases in the controller's project, and the script lines that read and write them:
+// poses of TCPs and bases, mass properties of TCPs (TM 2.4). src/script/project_attributes.cpp has one row
+// per attribute.
 //
-// A read is ListenSend() of the attribute: the controller sends it as floats (protocol/float_payload.h) under
-// the channel of its row. A write is an assignment, which ends with the run of the project, and counts from
-// the next ChangeTCP() or ChangeBase(). Units are the controller's own: mm, degrees, kg, kg mm^2.
+// A read is ListenSend() of the attribute: the controller sends it as floats (protocol/float_payload.h) on
+// the channel of its row. A write is an assignment. It lasts until the project run ends, and takes effect at
+// the next ChangeTCP() or ChangeBase(). Units are the controller's: mm, degrees, kg, kg mm^2.
 #pragma once
 
 #include <cstddef>
@@ -20,21 +20,22 @@ enum class ProjectAttribute {
   TcpValue,       ///< X Y Z [mm] RX RY RZ [deg] in the flange
   TcpMass,        ///< [kg]
   TcpMoment,      ///< Ixx, Iyy, Izz [kg mm^2]
-  TcpMassCenter,  ///< frame of the mass centre in that of the TCP, as TcpValue
+  TcpMassCenter,  ///< frame of the centre of mass in the TCP frame, as TcpValue
   BaseValue       ///< X Y Z [mm] RX RY RZ [deg] in the robot base
 };
 
-/// Since when scripts can do both; the controller answers an older version's ListenSend() with ERROR.
+/// First version whose scripts can read and write them. An older controller answers the ListenSend() with
+/// ERROR.
 inline constexpr tm_script::Version kAttributesSince{1, 76};
 
-/// How many numbers it has: six, one, three, six, six.
+/// The number of values: six, one, three, six, six.
 [[nodiscard]] std::size_t numbersOf(ProjectAttribute attribute);
-/// Under which ListenSend() sends it: 90 a value, 91 Mass, 92 MOI, 93 MCF.
+/// The channel of its ListenSend(): 90 for values, 91 Mass, 92 MOI, 93 MCF.
 [[nodiscard]] int channelOf(ProjectAttribute attribute);
 [[nodiscard]] bool isAttributeChannel(int channel);
 
-/// What can stand as the key of an attribute: isName(), without two single quotes, as the controller replaces
-/// a variable between them (I848-E-03 1.2), and another TCP would be meant.
+/// A valid key of an attribute: isName() without two single quotes. The controller replaces a variable
+/// between single quotes (I848-E-03 1.2), so the key would name another TCP.
 [[nodiscard]] bool isAttributeKey(std::string_view name);
 
 struct AttributeRead {
@@ -45,27 +46,28 @@ struct AttributeRead {
     return a.attribute == b.attribute && a.name == b.name;
   }
 };
-/// In messages: `TCP["gripper"].Value`.
+/// For messages: `TCP["gripper"].Value`.
 [[nodiscard]] std::string describe(const AttributeRead& read);
 
 struct AttributeWrite {
   ProjectAttribute attribute = ProjectAttribute::TcpValue;
   std::string name;             ///< isAttributeKey()
-  std::vector<double> numbers;  ///< finite, numbersOf()
+  std::vector<double> numbers;  ///< finite; as many as numbersOf()
 };
 
-/// Reads everything at one instant, in this order. Its first line sends the mark: what comes behind it, up to
-/// the OK, is of this script, as the controller runs the scripts of all clients one after the other.
+/// Reads everything at one instant, in this order. Its first line sends the mark. Data after the mark, up to
+/// the OK, belongs to this script, because the controller runs the scripts of all clients one after the
+/// other.
 struct ReadingScript {
-  std::string mark;  ///< isAttributeKey(), and what no other client sends: a name and a counter
+  std::string mark;  ///< isAttributeKey(), and sent by no other client: a name and a counter
   std::vector<AttributeRead> reads;
 };
-/// Under which the mark comes. Others leave it to us.
+/// Channel of the mark. Other clients do not use it.
 inline constexpr int kMarkChannel = 99;
-/// The line of reads[0]; the mark stands on the one before.
+/// The line of reads[0]; the mark is on the line before.
 inline constexpr int kFirstReadLine = 2;
 
-/// Lines without line end.
+/// One line without line end.
 [[nodiscard]] std::string toText(const AttributeRead& read);
 [[nodiscard]] std::string toText(const AttributeWrite& write);
 /// Lines joined by CR LF, without one at the end.

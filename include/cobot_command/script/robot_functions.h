@@ -1,5 +1,5 @@
-// The robot's own functions: which forms of which function each version of TMflow has (TM 2.2), and
-// the command that a call of one means. One row for each in src/script/*_functions.cpp.
+// The robot's own functions: the signatures that each TMflow version has (TM 2.2), and the command of a call.
+// src/script/*_functions.cpp has one row per function.
 #pragma once
 
 #include <optional>
@@ -12,26 +12,25 @@
 
 namespace cobot_command::script {
 
-/// All of them, with ListenSend(), which is no command.
+/// All of them, and ListenSend(), which is not a command.
 void declareRobotFunctions(tm_script::FunctionTable& functions);
 
-/// The arguments of a call, as far as they are known. Arrays are not looked at.
+/// The arguments of a call that are known before it runs. Arrays are not inspected.
 using KnownArguments = std::vector<std::optional<tm_script::Scalar>>;
 [[nodiscard]] KnownArguments knownArguments(const tm_script::Arguments& arguments);
-/// What is wrong with a call, as far as its arguments are known: a data format that the function does not
-/// take, a tag or mode that does not exist, a name that can be none. Whether the project has a base or TCP is
-/// not looked at, nor is the licence.
+/// The error of a call as far as its arguments are known: a data format that the function does not accept, a
+/// tag or mode that does not exist, an invalid name. It does not check whether the project has the base or
+/// TCP, nor the licence.
 [[nodiscard]] std::optional<std::string> objectionTo(const std::string& function,
                                                      const KnownArguments& arguments);
 
-/// Precondition: a declared function other than ListenSend(), its arguments converted, and no objection to
-/// them.
+/// Precondition: a declared function other than ListenSend(), converted arguments, and no objection to them.
 [[nodiscard]] ScriptCommand commandOf(const std::string& function, const tm_script::Arguments& arguments);
 
-/// Does a call go into the queue of motions?
+/// True if a call is added to the motion queue.
 [[nodiscard]] bool isQueued(std::string_view function);
 [[nodiscard]] bool isQueued(const ScriptCommand& command);
-/// The functions of continuous velocities.
+/// True for the functions of continuous velocities.
 [[nodiscard]] bool needsLicence(std::string_view function);
 
 }  // namespace cobot_command::script

@@ -1,10 +1,10 @@
-// The script commands of the Listen node (thesis 4.3, I848-E-03 chapter 8) as types, and their text. What is
-// known of each as a function of the robot stands in its row, src/script/*_functions.cpp.
+// The script commands of the Listen node (thesis 4.3, I848-E-03 chapter 8) as types, and their text.
+// src/script/*_functions.cpp describes each command as a function of the robot.
 //
-// Units are the controller's own: mm, degrees, ms, %, mm/s, kg, kg mm^2. Numbers are written to the nearest
-// millionth (a nanometre: a thousand times finer than what the arm can hold, and finer than the controller's
-// 32-bit floats), without trailing zeros and exponent, whatever the locale;
-// beyond nine billion as whole numbers.
+// Units are the controller's: mm, degrees, ms, %, mm/s, kg, kg mm^2. Numbers are rounded to the nearest
+// millionth (a nanometre: a thousand times finer than the arm's accuracy, and finer than the controller's
+// 32-bit floats). They are written without trailing zeros and exponent in every locale; beyond nine billion
+// as whole numbers.
 #pragma once
 
 #include <array>
@@ -19,10 +19,10 @@
 
 namespace cobot_command::script {
 
-/// Six numbers: X Y Z [mm] RX RY RZ [deg], or J1..J6 [deg], as the data format says.
+/// Six numbers: X Y Z [mm] RX RY RZ [deg], or J1..J6 [deg], according to the data format.
 using SixNumbers = std::array<double, 6>;
 
-/// The three letters in front of a motion, e.g. "CPP".
+/// The three letters before a motion, e.g. "CPP".
 struct DataFormat {
   enum class Target : char { Joint = 'J', Cartesian = 'C', Tool = 'T' };
   enum class Speed : char { Percent = 'P', Absolute = 'A' };   ///< % or mm/s
@@ -37,12 +37,12 @@ struct DataFormat {
   }
 };
 
-/// How a motion is made; the same for all motion commands.
+/// Options that all motion commands share.
 struct MotionOptions {
-  int speed = 0;       ///< % or mm/s, as the format says
+  int speed = 0;       ///< % or mm/s, according to the format
   int accel_time = 0;  ///< time to top speed [ms]
-  int blending = 0;    ///< % or mm, as the format says; 0: none
-  /// The controller's own sense: true switches precise positioning OFF (4.3.1).
+  int blending = 0;    ///< % or mm, according to the format; 0: none
+  /// As on the controller: true switches precise positioning OFF (4.3.1).
   bool disable_precise_positioning = false;
 };
 
@@ -74,24 +74,24 @@ struct MoveLine {  ///< CPP, CPR, CAP, CAR, TPP, TPR, TAP, TAR
   SixNumbers offset{};
   MotionOptions options;
 };
-struct PLine {  ///< JAP, CAP; nothing is said about precise positioning
+struct PLine {  ///< JAP, CAP; precise positioning is not documented
   DataFormat format;
   SixNumbers target{};
   MotionOptions options;
 };
-struct MovePLine {  ///< CAP, TAP, JAP; nothing is said about precise positioning
+struct MovePLine {  ///< CAP, TAP, JAP; precise positioning is not documented
   DataFormat format;
   SixNumbers offset{};
   MotionOptions options;
 };
-/// A trajectory of points: PVTEnter, its points and what is queued at them, PVTExit.
+/// A trajectory of points: PVTEnter, the points and the commands queued at them, PVTExit.
 struct PvtEnter {
   bool cartesian = false;  ///< the points are poses of the TCP, not joints
 };
 struct PvtPoint {
   SixNumbers position{};
   SixNumbers velocity{};  ///< deg/s; or mm/s and deg/s
-  double duration = 0;    ///< from the point before [s]
+  double duration = 0;    ///< since the previous point [s]
 };
 struct PvtExit {};
 struct PvtPause {};
@@ -99,8 +99,8 @@ struct PvtResume {};
 /// Continuous velocities, which need a licence (TM 2.2).
 struct ContinueVJog {};
 struct ContinueVLine {
-  int zero_timeout = 0;  ///< without a new velocity the arm comes to rest [ms]
-  int stop_timeout = 0;  ///< and the mode ends [ms]
+  int zero_timeout = 0;  ///< without a new velocity in this time the arm stops [ms]
+  int stop_timeout = 0;  ///< without a new velocity in this time the mode ends [ms]
 };
 struct SetContinueVJog {
   SixNumbers velocity{};  ///< of the joints [deg/s]
@@ -110,7 +110,7 @@ struct SetContinueVLine {
 };
 struct StopContinueVmode {};
 struct SuspendContinueVmode {};
-/// What every project has: the robot base as a base, the flange as a TCP.
+/// Names in every project: the robot base as a base, the flange as a TCP.
 inline constexpr const char* kRobotBase = "RobotBase";
 inline constexpr const char* kNoTool = "NOTOOL";
 
@@ -119,7 +119,7 @@ struct ChangeBase {
 };
 struct ToolInertia {
   std::array<double, 3> moment{};  ///< Ixx, Iyy, Izz [kg mm^2]
-  SixNumbers mass_center{};        ///< frame of the mass centre in the tool (the TCP's frame)
+  SixNumbers mass_center{};        ///< frame of the centre of mass in the TCP frame
 };
 struct ChangeTcp {
   std::variant<SixNumbers, std::string> tcp;  ///< value, or the name of a TCP in the project ("NOTOOL")
@@ -135,7 +135,7 @@ struct QueueTag {
 };
 struct WaitQueueTag {
   int tag = 1;
-  std::optional<int> timeout;  ///< [ms]; absent or <= 0: for ever
+  std::optional<int> timeout;  ///< [ms]; absent or <= 0: no timeout
 };
 struct StopAndClearBuffer {
   std::optional<int> mode;  ///< 0..2, TMflow 1.82 and later
@@ -146,16 +146,17 @@ struct ScriptExit {
   std::optional<int> mode;  ///< 0, 1, TMflow 1.82 and later
 };
 
-/// Where digital inputs and outputs are.
+/// The modules with digital inputs and outputs.
 enum class IoModule { ControlBox, EndModule };
-/// As it stands in scripts: "ControlBox".
+/// Its name in scripts: "ControlBox".
 [[nodiscard]] std::string_view toString(IoModule module);
 [[nodiscard]] std::optional<IoModule> ioModule(std::string_view name);
-/// How many digital outputs a module has, and as many inputs (TM 2.4).
+/// The number of digital outputs of a module; it has as many inputs (TM 2.4).
 [[nodiscard]] constexpr int ioCount(IoModule module) {
   return module == IoModule::ControlBox ? 16 : 4;
 }
-/// A digital output: IO["EndModule"].DO[0]=1 is queued behind the motions before it, InstantDO acts at once.
+/// A digital output. IO["EndModule"].DO[0]=1 is queued after the motions before it; InstantDO takes effect
+/// immediately.
 struct WriteOutput {
   IoModule module = IoModule::ControlBox;
   int index = 0;  ///< 0 .. ioCount(module) - 1
@@ -163,9 +164,9 @@ struct WriteOutput {
   bool instant = false;
 };
 
-/// What an analog output can give, either way [V].
+/// Largest voltage of an analog output, positive or negative [V].
 inline constexpr double kMostVolt = 10;
-/// The analog output of the control box, which has one (TM 2.4).
+/// The only analog output of the control box (TM 2.4).
 struct WriteAnalogOutput {
   double volt = 0;  ///< -kMostVolt .. kMostVolt
   bool instant = false;
@@ -177,15 +178,15 @@ using ScriptCommand =
                  PLine, MovePLine, PvtEnter, PvtPoint, PvtExit, PvtPause, PvtResume, ContinueVJog,
                  ContinueVLine, SetContinueVJog, SetContinueVLine, StopContinueVmode, SuspendContinueVmode>;
 
-/// What can stand as the name of a base or TCP, isProjectName().
+/// A valid name of a base or TCP, isProjectName().
 [[nodiscard]] bool isName(std::string_view name);
 inline constexpr std::size_t kMaxNameLength = kLongestProjectName;
 
-/// What can be sent as one line of script: UTF-8 without control characters other than tabs.
+/// A valid script line: UTF-8 without control characters other than tabs.
 [[nodiscard]] bool isScriptLine(std::string_view line);
 
-/// One line of script. Preconditions: all numbers are finite, names are isName(), the format is one that the
-/// command takes, the module has the output, and optional parts stand only where the comments above allow
+/// One line of script. Preconditions: all numbers are finite, names satisfy isName(), the command accepts the
+/// format, the module has the output, and optional parts are only present where the comments above allow
 /// them.
 [[nodiscard]] std::string toText(const ScriptCommand& command);
 [[nodiscard]] std::string toText(const WriteOutput& write);

@@ -1,9 +1,9 @@
-// What a script means for the robot before it is sent: it is read, checked and run as the controller would do
-// it, with a robot that answers every command at once and writes it down.
+// Determines the robot commands of a script before it is sent. The script is parsed, checked and run as on
+// the controller, with a robot that answers every command immediately and records it.
 //
-// So variables, expressions, conversions, comments and conditions are those of the language. What only the
-// robot knows - its attributes, variables and names of the project, what an earlier script has declared - is
-// not known here, and a script that asks for it has no meaning yet.
+// Variables, expressions, conversions, comments and conditions therefore behave as in the language. Values
+// that exist only on the robot are not available here: its attributes, the variables and names of the
+// project, declarations of an earlier script. A script that needs them is refused.
 #pragma once
 
 #include <string_view>
@@ -20,12 +20,12 @@ struct ReadCommand {
   ScriptCommand command;
 };
 
-/// The commands in the order in which the controller executes them, up to its ScriptExit(). As the newest
-/// TMflow reads it, with a licence for velocities; warnings (a real that becomes an integer) are none.
-/// WaitQueueTag() answers that the tag is complete; analog outputs and ListenSend() are no commands.
+/// The commands in the order in which the controller executes them, up to its ScriptExit(). Reads as the
+/// newest TMflow with a licence for velocities. Warnings (a real number that becomes an integer) are no
+/// faults. WaitQueueTag() returns that the tag is complete. ListenSend() is not a command.
 ///
-/// Faults: at least one, in the order of the lines. Nothing of a script with one would be executed, or it
-/// ends at that line, or its value is not known here.
+/// Faults: at least one, in the order of the lines. Either the controller would execute nothing of the
+/// script, or the script ends at that line, or a value is not known here.
 [[nodiscard]] Result<std::vector<ReadCommand>, std::vector<tm_script::Fault>> readScript(
     std::string_view text);
 

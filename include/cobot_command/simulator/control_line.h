@@ -1,4 +1,4 @@
-// The operator's side as lines of text, for a terminal or a pipe: "pause", "speed 50", "fault drop_tag 1".
+// Operator commands as lines of text, for a terminal or a pipe: "pause", "speed 50", "fault drop_tag 1".
 #pragma once
 
 #include <string>
@@ -10,14 +10,15 @@
 
 namespace cobot_command::simulator {
 
-/// Does what one line says. "help" and "faults" answer with several lines, all others with one; a line
-/// without words is done with an empty text.
+/// Executes one line. "help" and "faults" answer with several lines, all others with one. An empty line is
+/// accepted and answered with an empty text.
 OperatorReply control(SimulatedController& controller, std::string_view line, Instant now);
 
-/// What a text "drop_tag 1" orders: the name of a fault, how often, and what it needs; or what is wrong.
+/// Parses a text such as "drop_tag 1": the name of a fault, the count, and its value. The error describes
+/// what is wrong.
 [[nodiscard]] Result<SetFault, std::string> parseFault(const std::string& text);
 
-/// All commands, one a line.
+/// All commands, one per line.
 [[nodiscard]] std::string controlHelp();
 
 }  // namespace cobot_command::simulator

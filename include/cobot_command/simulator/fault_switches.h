@@ -1,7 +1,7 @@
-// The faults of the world that a simulated controller can show, each off until it is turned on: standing, or
-// for the next few times. A plain value; it says what is wrong, the controller does it.
+// The faults that a simulated controller can show. Each is off until it is switched on, permanently or for a
+// number of times. A plain value: it selects the faults, and the controller produces them.
 //
-// doc/simulator.md lists them; so does knownFaults().
+// doc/simulator.md and knownFaults() list them.
 #pragma once
 
 #include <array>
@@ -15,26 +15,26 @@ namespace cobot_command::simulator {
 
 struct FaultSwitch {
   bool on = false;
-  int left = 0;        ///< how often it still happens; 0: until it is turned off
+  int left = 0;        ///< remaining occurrences; 0: until it is switched off
   double seconds = 0;  ///< of a delay
-  std::string text;    ///< what else it needs, see knownFaults()
+  std::string text;    ///< other required value, see knownFaults()
 
-  /// Does it happen this time? Counts.
+  /// True if the fault occurs this time. Counts the occurrence.
   [[nodiscard]] bool take();
 };
 
-/// What is sent: the entry of the Listen node; OK or ERROR of a script; the spontaneous report of a tag; the
-/// answer to TMSTA 00; the one to TMSTA 01; CPERR; a frame of the status stream; the answer to a request on
-/// the status port.
+/// Kinds of sent messages: the entry of the Listen node; OK or ERROR of a script; the spontaneous report of a
+/// tag; the answer to TMSTA 00; the answer to TMSTA 01; CPERR; a frame of the status stream; the answer to a
+/// request on the status port.
 enum class MessageKind { Entry, Reply, Tag, State, TagAnswer, Cperr, Stream, ItemAnswer };
 inline constexpr std::size_t kMessageKinds = 8;
 
-/// What can become of a message on its way; each message counts once, however many clients get it.
+/// Faults of sent messages. A message counts once, regardless of the number of clients that receive it.
 struct MessageFaults {
   FaultSwitch drop;
-  FaultSwitch delay;      ///< others overtake it
+  FaultSwitch delay;      ///< later messages overtake it
   FaultSwitch duplicate;  ///< sent twice in a row
-  FaultSwitch corrupt;    ///< a wrong checksum
+  FaultSwitch corrupt;    ///< with a wrong checksum
 };
 
 struct FaultSwitches {
@@ -50,21 +50,21 @@ struct FaultSwitches {
   [[nodiscard]] MessageFaults& of(MessageKind kind) { return messages.at(static_cast<std::size_t>(kind)); }
 };
 
-/// What to do to a switch. The name is one of knownFaults().
+/// A change of a switch. The name is one of knownFaults().
 struct SetFault {
   std::string name;
   bool active = true;
-  int count = 0;       ///< how often it happens; 0: until it is turned off
+  int count = 0;       ///< number of occurrences; 0: until it is switched off
   double seconds = 0;  ///< of a delay: 0.001 to 60
-  std::string text;    ///< empty: as knownFaults() says
+  std::string text;    ///< empty: the default of knownFaults()
 };
 
-/// Not done, and the switch stands as before: an unknown name, a text or a number that is not for it.
+/// Changes a switch. Not done, and the switch is unchanged: an unknown name, or an invalid text or number.
 [[nodiscard]] OperatorReply set(FaultSwitches& faults, const SetFault& order);
 
 struct KnownFault {
   std::string name;
-  std::string needs;  ///< "seconds", or what the text is; empty: nothing
+  std::string needs;  ///< "seconds", or the meaning of the text; empty: nothing
   std::string meaning;
 };
 [[nodiscard]] const std::vector<KnownFault>& knownFaults();

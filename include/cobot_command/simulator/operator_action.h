@@ -1,5 +1,5 @@
-// What the operator of a simulated controller can do, as values: keys of the pendant, switches of the cell,
-// wires of the control box; and the faults of the world, which no operator has at hand.
+// Actions of the operator of a simulated controller, as values: keys of the pendant, switches of the cell,
+// wires of the control box. Also faults of the environment, which no operator can trigger.
 #pragma once
 
 #include <array>
@@ -14,37 +14,38 @@
 
 namespace cobot_command::simulator {
 
-/// Opens the script port, enters the Listen node, clears a robot error; base and TCP are RobotBase and NOTOOL
-/// again. Refused while the emergency stop is pressed.
+/// Opens the script port, enters the Listen node, and clears a robot error. Base and TCP are RobotBase and
+/// NOTOOL again. Refused while the emergency stop is pressed.
 struct RunProject {};
-/// Stops the arm on its path, empties the queue, closes the script port and its clients.
+/// Stops the arm on its path, clears the queue, and closes the script port with its clients.
 struct StopProject {};
-/// As the script command Pause(), and Resume(): the arm stands on its path, scripts go on.
+/// As the script commands Pause() and Resume(): the arm stops on its path, scripts continue.
 struct PauseProject {};
 struct ResumeProject {};
-/// The flow goes to another node once the queued motions are done, and stays there until it is let back in.
+/// The flow leaves the node when the queued motions are done, and stays outside until EnterListenNode.
 struct LeaveListenNode {};
 struct EnterListenNode {};
-/// Pressed: the arm stands at once and the project stops. Released: stands until the project is run again.
+/// Pressed: the arm stops immediately and the project stops. Released: the arm is at standstill until the
+/// project is run again.
 struct SetEmergencyStop {
   bool pressed = true;
 };
-/// Open: the arm slows down on its path and stands. Closed again: see Settings::safeguard_resets_itself.
+/// Open: the arm decelerates to standstill on its path. Closed again: see Settings::safeguard_resets_itself.
 struct SetSafeguard {
   bool open = true;
 };
 struct SetOperatingMode {
   OperatingMode mode = OperatingMode::Automatic;
 };
-/// 5..100 in steps of 5; counts for the motions that start from then on, see Settings::project_speed_live.
+/// 5..100 in steps of 5. Applies to the motions that start afterwards, see Settings::project_speed_live.
 struct SetProjectSpeed {
   int percent = 100;
 };
 [[nodiscard]] constexpr bool isProjectSpeed(int percent) {
   return percent >= 5 && percent <= 100 && percent % 5 == 0;
 }
-/// The robot fails: the arm comes to rest on its path and every tag in the queue is reported false, as when a
-/// motion cannot be made; so is every motion until ClearError or RunProject.
+/// Robot error: the arm stops on its path and every tag in the queue is reported false, as after a motion
+/// that is not possible. Every motion also fails until ClearError or RunProject.
 struct RaiseError {
   int code = 0;      ///< not 0
   std::string text;  ///< Error_Content
@@ -56,9 +57,9 @@ struct SetInput {
   bool on = true;
 };
 
-/// What the pendant changes in the project. It outlives the run of the project, unlike what a script assigns,
-/// and counts from the next ChangeTCP() or ChangeBase(). Numbers as the pendant has them; the controller
-/// keeps them as 32-bit floats. Refused: a name that the project does not have, or whose values are fixed
+/// Changes of the project on the pendant. In contrast to assignments by scripts they outlive the project run.
+/// They take effect at the next ChangeTCP() or ChangeBase(). Numbers are in the units of the pendant; the
+/// controller stores 32-bit floats. Refused: a name that the project does not have, or whose values are fixed
 /// (NOTOOL, HandCamera, RobotBase); coordinates beyond arm::kMaxCoordinate.
 struct SetTcp {
   std::string name;
@@ -68,19 +69,19 @@ struct SetBase {
   std::string name;
   arm::ControllerPose value{};  ///< in the robot base
 };
-/// What a TCP weighs.
+/// Mass properties of a TCP.
 struct SetLoad {
   std::string name;                                ///< of the TCP
   double mass = 0;                                 ///< [kg], 0 to kMostMass
-  std::optional<std::array<double, 3>> moment;     ///< [kg mm^2], 0 to kMostMoment; nothing: as it was
-  std::optional<arm::ControllerPose> mass_center;  ///< its frame in that of the TCP; nothing: as it was
+  std::optional<std::array<double, 3>> moment;     ///< [kg mm^2], 0 to kMostMoment; std::nullopt: unchanged
+  std::optional<arm::ControllerPose> mass_center;  ///< its frame in the TCP frame; std::nullopt: unchanged
 };
 inline constexpr double kMostMass = 1000;
 inline constexpr double kMostMoment = 1e9;
 
 /// SetFault: see fault_switches.h.
 struct ClearFaults {};
-/// Drops every client; the ports stay as they are.
+/// Disconnects every client; the ports do not change.
 struct DropConnections {};
 
 using OperatorAction =

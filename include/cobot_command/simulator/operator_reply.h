@@ -1,4 +1,4 @@
-// What became of what an operator did.
+// The result of an operator action.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@ namespace cobot_command::simulator {
 
 struct OperatorReply {
   bool done = true;
-  std::string text;  ///< how things are now; or why it was not done, and what to do
+  std::string text;  ///< the new state; or why the action was not done, and what to do
 };
 
-/// `text`: why not, and what to do.
+/// `text`: why the action was not done, and what to do.
 [[nodiscard]] inline OperatorReply notDone(std::string text) {
   return {false, std::move(text)};
 }

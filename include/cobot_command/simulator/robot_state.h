@@ -34,36 +34,36 @@ enum class OperatingMode { Automatic = 1, Manual = 2 };
 struct RobotState {
   Instant time{};
   Instant started{};                                       ///< when the controller was switched on
-  Instant project_started{};                               ///< means nothing while no project runs
+  Instant project_started{};                               ///< undefined while no project runs
   arm::JointVector joints = arm::JointVector::Zero();      ///< [rad]
   arm::JointVector velocities = arm::JointVector::Zero();  ///< [rad/s]
   arm::Pose flange = arm::Pose::Identity();                ///< in the robot base [m]
   arm::Pose base = arm::Pose::Identity();                  ///< the active base in the robot base [m]
   arm::Pose tcp = arm::Pose::Identity();                   ///< the active TCP in the flange [m]
-  std::string base_name = script::kRobotBase;              ///< empty when it was given by value
-  std::string tcp_name = script::kNoTool;                  ///< empty when it was given by value
+  std::string base_name = script::kRobotBase;              ///< empty if the base was given by value
+  std::string tcp_name = script::kNoTool;                  ///< empty if the TCP was given by value
   double tcp_mass = 0;                                     ///< [kg], of the tool (ChangeTCP)
   script::ToolInertia tcp_inertia;
-  double load = 0;  ///< [kg], of what it holds (ChangeLoad)
-  /// From outside, on the TCP [N]: nothing touches it.
+  double load = 0;  ///< payload [kg] (ChangeLoad)
+  /// External force on the TCP [N]. Zero, because the simulation has no contacts.
   Eigen::Vector3d tcp_force = Eigen::Vector3d::Zero();
   DigitalIo inputs;
   DigitalIo outputs;
-  float analog_output = 0;  ///< the first one of the control box [V]
+  float analog_output = 0;  ///< the first analog output of the control box [V]
   bool camera_light = false;
   bool auto_remote = false;  ///< Auto_Remote_Active
-  bool in_motion = false;    ///< false also while a pause holds the arm within a motion
+  bool in_motion = false;    ///< also false while a pause holds the arm within a motion
   bool project_running = false;
   bool project_paused = false;
   bool listening = false;
   bool emergency_stop = false;
-  bool safeguard = false;  ///< open: it holds the arm
+  bool safeguard = false;  ///< open: it stops the arm
   OperatingMode mode = OperatingMode::Automatic;
   bool error = false;
   int error_code = 0;  ///< as the controller's Error_Code (TM 2.6)
   std::string error_text;
-  std::optional<Instant> error_time;  ///< since when it is in error
-  int queued_motions = 0;             ///< accepted and not ended, the running one included
+  std::optional<Instant> error_time;  ///< start of the error
+  int queued_motions = 0;             ///< accepted and not ended, including the running one
   int project_speed_percent = 100;
 };
 

@@ -1,4 +1,5 @@
-// The simulated TM controller: bytes and time in, bytes and robot state out. A peer, not a mock.
+// The simulated TM controller: a complete peer, not a mock. Its inputs are bytes and time, its outputs bytes
+// and the robot state.
 //
 // Owns no socket, no thread and no clock. Not thread-safe: one thread owns it. The same calls at the same
 // times give bit-identical outputs and joint paths.
@@ -21,7 +22,7 @@ namespace cobot_command::simulator {
 
 enum class Port { Script, Status };
 
-/// Chosen by whoever owns the sockets; never used twice.
+/// Chosen by the owner of the sockets; never reused.
 using ClientId = std::uint64_t;
 
 /// Bytes for one client.
@@ -30,21 +31,21 @@ struct Send {
   ClientId client;
   std::string bytes;
 };
-/// The controller drops a client.
+/// The controller disconnects a client.
 struct CloseClient {
   Port port;
   ClientId client;
 };
-/// The script port is served only while a project runs (TM 1.2): with it closed, clients are refused.
-/// The status port is opened once, in the constructor; the script port there too when a project runs.
+/// The script port is open only while a project runs (TM 1.2); otherwise clients are refused. The status port
+/// is opened once, in the constructor. The script port is also opened there if a project runs.
 struct OpenPort {
   Port port;
 };
-/// Comes after a CloseClient for each client of the port.
+/// Follows a CloseClient for each client of the port.
 struct ClosePort {
   Port port;
 };
-/// One line of the traffic log, for people.
+/// One readable line of the traffic log.
 struct LogLine {
   Instant time;
   std::string text;
@@ -59,28 +60,28 @@ class SimulatedController {
   SimulatedController(SimulatedController&&) noexcept;
   SimulatedController& operator=(SimulatedController&&) noexcept;
 
-  // --- The wire.
-  /// The address, as "127.0.0.1", is for Settings::write_clients alone.
+  // --- Connections.
+  /// The address, as "127.0.0.1", is only used for Settings::write_clients.
   void clientConnected(Port port, ClientId client, Instant now, std::string_view address = {});
   void clientDisconnected(Port port, ClientId client, Instant now);
   void received(Port port, ClientId client, std::string_view bytes, Instant now);
 
   // --- Time.
-  /// Brings the robot to `now`, through every event on the way at its exact time: how often it is called
-  /// changes nothing. Times never go back; an earlier one is taken as the latest seen.
+  /// Advances the robot to `now` and handles every event at its exact time, so the number of calls has no
+  /// effect. Time never decreases; an earlier time counts as the latest one.
   void advance(Instant now);
-  /// When advance() has to be called at the latest: a status frame is due, a motion ends, a wait runs out.
-  /// Instant::max() when nothing will happen by itself.
+  /// The latest time for the next advance(): a status frame is due, a motion ends, or a wait ends.
+  /// Instant::max() if nothing will happen automatically.
   [[nodiscard]] Instant nextEvent() const;
 
-  // --- The operator's side of the controller.
-  /// An action that changes nothing, like to press what is pressed, is done all the same.
+  // --- Operator actions.
+  /// An action without effect, such as pressing a pressed button, also counts as done.
   OperatorReply operate(const OperatorAction& action, Instant now);
 
-  // --- What comes out.
+  // --- Outputs.
   /// All outputs since the last call, in order.
   [[nodiscard]] std::vector<Output> takeOutputs();
-  /// The robot's true state at the time of the last call.
+  /// The true state of the robot at the time of the last call.
   [[nodiscard]] RobotState state() const;
   [[nodiscard]] const arm::ArmModel& arm() const;
 

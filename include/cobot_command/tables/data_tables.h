@@ -1,4 +1,4 @@
-// The tables of tools, frames and loads as one value: checked, and cheap to copy, also into another thread.
+// The tables of tools, frames and loads as one value: checked, and cheap to copy, also to another thread.
 #pragma once
 
 #include <cstdint>
@@ -15,46 +15,46 @@
 
 namespace cobot_command::tables {
 
-/// What may be carried at most.
+/// Largest permitted payload.
 struct Payload {
   double mass = 14;                                  ///< [kg]
-  std::string whose = "the family's strongest arm";  ///< for texts
+  std::string whose = "the family's strongest arm";  ///< owner of the limit, for texts
 };
 [[nodiscard]] Payload payloadOf(const arm::ArmModel& model);
 
-/// Why there is no pose of that number.
+/// Why a number has no pose.
 struct Gap {
   enum class Reason {
-    OutOfRange,     ///< no number of 0..15
+    OutOfRange,     ///< not a number of 0..15
     NotConfigured,  ///< an empty entry
     ValueUnknown    ///< only its name in the controller's project is known
   };
 
   Reason reason = Reason::NotConfigured;
-  int index = 0;      ///< of the entry that it lacks: it may be the reference of the one that was asked for
-  std::string name;   ///< in the project; where the value is unknown
-  std::string found;  ///< for people: "frame 7 is not configured"
+  int index = 0;      ///< of the missing entry; may be the reference of the requested frame
+  std::string name;   ///< in the project, if the value is unknown
+  std::string found;  ///< for messages: "frame 7 is not configured"
 };
 
-/// What is wrong with numbers that should be a pose.
+/// Error of numbers that should be a pose.
 struct NumberFault {
   int error_id = 0;
   std::string found;
   std::string allowed;
 };
-/// x y z [mm] rx ry rz [deg] of a caller, when all are finite and none is beyond +-100000.
+/// Reads x y z [mm] rx ry rz [deg] of a caller. All must be finite and within +-100000.
 [[nodiscard]] Result<arm::Pose, NumberFault> poseIn(const arm::ControllerPose& numbers);
 
 class DataTables {
  public:
-  DataTables();  ///< only number 0 of each
-  /// All of them, checked together: the order of the entries means nothing.
+  DataTables();  ///< only number 0 of each table
+  /// Checks all entries together; their order does not matter.
   [[nodiscard]] static Result<DataTables, Refusal> of(Entries entries, const Payload& payload);
 
   [[nodiscard]] const Entries& entries() const { return *entries_; }
 
-  /// Higher with each change of the tables that this is a copy of (TableStore); who gets them on several ways
-  /// sees by it which are newer.
+  /// Increases with each change in the TableStore that this is a copy of. A receiver that gets copies over
+  /// several paths can determine which is newer.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   void stamp(std::uint64_t revision) { revision_ = revision; }
 
@@ -62,14 +62,13 @@ class DataTables {
   [[nodiscard]] Result<arm::Pose, Gap> frameInRobotBase(int index) const;
   [[nodiscard]] Result<Load, Gap> load(int index) const;
 
-  /// Each takes the entry, nothing for an empty one, or says why not and changes nothing. Number 0 is fixed.
+  /// Writes the entry; std::nullopt clears it. On a refusal nothing changes. Number 0 is fixed.
   [[nodiscard]] std::optional<Refusal> writeTool(int index, std::optional<Tool> tool, const Payload& payload);
   [[nodiscard]] std::optional<Refusal> writeFrame(int index, std::optional<Frame> frame,
                                                   const Payload& payload);
   [[nodiscard]] std::optional<Refusal> writeLoad(int index, std::optional<Load> load, const Payload& payload);
 
-  /// What the controller's project has under that name; for entries that have the name and no value of their
-  /// own.
+  /// Sets the pose from the controller's project, for entries that have this name and no pose of their own.
   void learnTool(std::string_view name, const arm::Pose& in_flange);
   void learnFrame(std::string_view name, const arm::Pose& in_robot_base);
 
@@ -79,7 +78,7 @@ class DataTables {
   std::optional<Refusal> write(Kind kind, Table<Entry> Entries::*table, int index, std::optional<Entry> entry,
                                const Payload& payload);
 
-  std::shared_ptr<const Entries> entries_;  ///< never changed, only replaced
+  std::shared_ptr<const Entries> entries_;  ///< never modified, only replaced
   std::uint64_t revision_ = 0;
 };
 

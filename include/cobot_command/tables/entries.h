@@ -1,4 +1,4 @@
-// What stands in the tables of tools, frames and loads: sixteen of each, known to paths and to SRCI by
+// The entries of the tables of tools, frames and loads: sixteen of each. Paths and SRCI refer to them by
 // number.
 #pragma once
 
@@ -23,24 +23,24 @@ enum class Kind { Tool, Frame, Load };
 [[nodiscard]] std::string_view toString(Kind kind);
 
 struct Tool {
-  std::string name;               ///< of the controller's project; empty: ours alone
-  std::optional<arm::Pose> pose;  ///< in the flange; nothing: only the project knows it
-  int load = 0;                   ///< number of what it weighs
+  std::string name;               ///< in the controller's project; empty: only in this table
+  std::optional<arm::Pose> pose;  ///< in the flange; std::nullopt: only in the project
+  int load = 0;                   ///< number of its load
 };
 
 struct Frame {
-  std::string name;               ///< of the controller's project; empty: ours alone
-  std::optional<arm::Pose> pose;  ///< in its reference; nothing: only the project knows it
-  int reference = 0;              ///< number of a frame that stands in the robot base
+  std::string name;               ///< in the controller's project; empty: only in this table
+  std::optional<arm::Pose> pose;  ///< in its reference; std::nullopt: only in the project
+  int reference = 0;              ///< number of a frame that itself refers to the robot base
 };
 
 struct Load {
   double mass = 0;                          ///< [kg]
-  std::array<double, 3> inertia{};          ///< Ixx, Iyy, Izz about its centre [kg m^2]
-  arm::Pose centre{arm::Pose::Identity()};  ///< of its mass, in the flange
+  std::array<double, 3> inertia{};          ///< Ixx, Iyy, Izz about the centre of mass [kg m^2]
+  arm::Pose centre{arm::Pose::Identity()};  ///< centre of mass, in the flange
 };
 
-/// To the last bit.
+/// Exact comparison, to the last bit.
 [[nodiscard]] bool operator==(const Tool& a, const Tool& b);
 [[nodiscard]] bool operator==(const Frame& a, const Frame& b);
 [[nodiscard]] bool operator==(const Load& a, const Load& b);
@@ -48,9 +48,9 @@ struct Load {
 template <class Entry>
 using Table = std::array<std::optional<Entry>, kEntryCount>;
 
-/// Nothing: not configured.
+/// std::nullopt: not configured.
 struct Entries {
-  Entries();  ///< only the fixed ones
+  Entries();  ///< only the fixed entries
 
   Table<Tool> tools;
   Table<Frame> frames;

@@ -1,4 +1,4 @@
-// Why an entry of the tables is not taken.
+// Why an entry of the tables is refused.
 #pragma once
 
 #include <string>
@@ -7,24 +7,24 @@
 
 namespace cobot_command::tables {
 
-/// The numbers of SRCI. Frames come before tools there, also where both are in use.
+/// Error numbers of SRCI. It numbers frames before tools, also for the in-use errors.
 namespace table_error {
 inline constexpr int kFrameIndex = 0x8D08;
 inline constexpr int kLoadIndex = 0x8D17;
 inline constexpr int kToolIndex = 0x8D35;
-inline constexpr int kReferenceRefers = 0x8C12;  ///< to a frame that refers to another
+inline constexpr int kReferenceRefers = 0x8C12;  ///< the reference itself refers to another frame
 inline constexpr int kReferenceInvalid = 0x8C13;
 inline constexpr int kFrameInUse = 0x8C15;
 inline constexpr int kToolInUse = 0x8C16;
 inline constexpr int kLoadInUse = 0x8C17;
 inline constexpr int kMass = 0x8D49;
-// As own_error of the blocks has them: what SRCI has no number for.
+// Errors without an SRCI number; the same numbers as own_error of the blocks.
 inline constexpr int kNotFinite = 0x200;
 inline constexpr int kCoordinateRange = 0x213;
 inline constexpr int kInertiaRange = 0x21D;
 inline constexpr int kNameInvalid = 0x21F;
 inline constexpr int kShutDown = 0x230;
-// This layer's, and of no block.
+// Only of this layer; no block has it.
 inline constexpr int kNotKept = 0x232;  ///< the file of the tables cannot be written
 }  // namespace table_error
 

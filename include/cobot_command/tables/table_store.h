@@ -1,4 +1,4 @@
-// The tables of one robot where they are changed: who uses an entry, and that nobody writes it meanwhile.
+// The tables of one robot, with writing. Tracks which entries are in use, so that these are not overwritten.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace cobot_command::tables {
 
-/// Who uses which entries; number 0 needs no mention. A tool that is used uses its load, a frame its
+/// The user of some entries; number 0 need not be listed. Using a tool includes its load, using a frame its
 /// reference.
 struct Use {
   std::string user;  ///< for texts: "load_path 7"
@@ -20,10 +20,10 @@ struct Use {
   std::vector<int> frames;
 };
 
-/// As long as it, or a copy of it, is there, the entries are in use.
+/// The entries are in use as long as this or a copy of it exists.
 using Hold = std::shared_ptr<const Use>;
 
-/// What the controller's project has, by its names.
+/// The poses in the controller's project, by name.
 struct ProjectPoses {
   std::map<std::string, arm::Pose> tools;   ///< in the flange
   std::map<std::string, arm::Pose> frames;  ///< in the robot base
@@ -34,24 +34,25 @@ class TableStore {
   explicit TableStore(DataTables tables = {}, Payload payload = {});
 
   [[nodiscard]] const DataTables& tables() const { return tables_; }
-  /// With the poses of entries that only the project knows, as far as those are known.
+  /// The tables, completed with the known poses of the controller's project.
   [[nodiscard]] DataTables forPlans() const;
-  /// What is known of the project from now on.
+  /// Sets the known poses of the project.
   void know(ProjectPoses project) { project_ = std::move(project); }
   [[nodiscard]] const Payload& payload() const { return payload_; }
-  /// All at once, whoever uses what: for what is read at the start.
+  /// Replaces everything, also entries in use. For the tables read at the start.
   void replace(DataTables tables);
 
   [[nodiscard]] Hold hold(Use use);
-  /// The first of them; nothing when nobody does.
+  /// The first user of the entry; std::nullopt if there is none.
   [[nodiscard]] std::optional<std::string> userOf(Kind kind, int index) const;
 
-  /// The tables as they would be, and nothing is changed yet; or why not. Entries in use are refused.
+  /// The tables as they would be after the change, or the refusal. Changes nothing. Entries in use are
+  /// refused.
   [[nodiscard]] Result<DataTables, Refusal> withTool(int index, std::optional<Tool> tool) const;
   [[nodiscard]] Result<DataTables, Refusal> withFrame(int index, std::optional<Frame> frame) const;
   [[nodiscard]] Result<DataTables, Refusal> withLoad(int index, std::optional<Load> load) const;
 
-  /// The same, and they are so from now on.
+  /// The same, and the change is applied.
   [[nodiscard]] std::optional<Refusal> writeTool(int index, std::optional<Tool> tool);
   [[nodiscard]] std::optional<Refusal> writeFrame(int index, std::optional<Frame> frame);
   [[nodiscard]] std::optional<Refusal> writeLoad(int index, std::optional<Load> load);

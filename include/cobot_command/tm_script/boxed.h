@@ -1,4 +1,4 @@
-// A value on the heap that is copied and moved like one on the spot: for types that contain themselves.
+// A value on the heap with the copy and move semantics of a plain value, for types that contain themselves.
 #pragma once
 
 #include <memory>

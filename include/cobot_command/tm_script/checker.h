@@ -1,8 +1,8 @@
-// Checks a whole script before anything of it is run, as the controller does.
+// Checks a whole script before any of it is run, as the controller does.
 //
-// An error: syntax, an unknown name or function, arguments or operands of a wrong type, a second declaration,
-// an attribute that does not exist, an index outside an attribute of fixed length. A warning: a real that
-// becomes an integer, an int that becomes a byte, a text that becomes a number or the other way round, a text
+// Errors: syntax, an unknown name or function, arguments or operands of a wrong type, a second declaration,
+// an attribute that does not exist, an index outside an attribute of fixed length. Warnings: a real number
+// that becomes an integer, an int that becomes a byte, a text that becomes a number or vice versa, a text
 // without its double quotes, a variable in single quotes inside a text.
 #pragma once
 
@@ -18,10 +18,10 @@ namespace cobot_command::tm_script {
 
 struct Findings {
   std::vector<Fault> errors;    ///< in the order of the lines
-  std::vector<Fault> warnings;  ///< likewise
+  std::vector<Fault> warnings;  ///< in the order of the lines
 };
 
-/// Variables that the script declares are known from the next line on; nothing is set.
+/// Variables that the script declares are available from the next line. No variable is set.
 [[nodiscard]] Findings check(const ParsedScript& script, const FunctionTable& functions, const Scope& scope,
                              const Environment& environment);
 

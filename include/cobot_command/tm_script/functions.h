@@ -1,16 +1,16 @@
-// The functions that a script may call: the general ones of the language, which this room computes, and those
-// of the robot, which the user of the room declares and answers.
+// The functions that a script may call: the general functions of the language, which this room computes, and
+// those of the robot, which the user of the room declares and implements.
 //
-// A declaration reads as in the manual:
+// A declaration is written as in the manual:
 //
-//   bool PTP(string, 6 double, int, int, int, bool)    six numbers of their own
+//   bool PTP(string, 6 double, int, int, int, bool)    six separate numbers
 //   bool PTP(string, double[6], int, int, int, bool)   an array of exactly six
-//   bool QueueTag(int, int?)                           ? may be left out, with all behind it
+//   bool QueueTag(int, int?)                           ?: optional, with all parameters after it
 //   bool StopAndClearBuffer(literal int)               no variable or expression
-//   any[] Array_Append(any[], element)                 any: of any type; number: any number; element: of the
-//   type of
-//                                                      the first argument's elements; as a result, any means
-//                                                      the type of the first argument
+//   any[] Array_Append(any[], element)                 any: of any type; number: any number;
+//                                                      element: of the type of the first argument's
+//                                                      elements; as a result, any means the type of
+//                                                      the first argument
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@
 
 namespace cobot_command::tm_script {
 
-/// Of TMflow: {1, 80}
+/// Version of TMflow: {1, 80}
 struct Version {
   int major = 1;
   int minor = 80;
@@ -36,14 +36,14 @@ struct Version {
 };
 
 using Arguments = std::vector<Value>;
-/// Computes a general function. The arguments have been converted to the types of the parameters.
+/// Computes a general function. The arguments are already converted to the types of the parameters.
 using Builtin = std::function<Result<Value, std::string>(const Arguments&)>;
 
 struct Parameter {
   enum class Kind { Fixed, Any, Number, Element };
   Kind kind = Kind::Fixed;
-  Type type;               ///< of a Fixed one; of the others only is_array counts
-  std::size_t length = 0;  ///< elements that the array must have; 0: any number
+  Type type;               ///< of a Fixed parameter; for the others only is_array is used
+  std::size_t length = 0;  ///< required number of elements of the array; 0: any
   bool is_literal = false;
 };
 
@@ -51,36 +51,36 @@ struct Function {
   std::string name;
   Parameter result;
   std::vector<Parameter> parameters;
-  std::size_t required = 0;  ///< parameters that cannot be left out
+  std::size_t required = 0;  ///< number of parameters that are not optional
   Version since;
-  Builtin compute;  ///< nothing: the robot answers
+  Builtin compute;  ///< empty: the robot implements it
 };
 
-/// The function that a call means.
+/// The function that a call refers to.
 struct Match {
   const Function* function = nullptr;
-  std::vector<Type> arguments;  ///< what each is to be converted to
+  std::vector<Type> arguments;  ///< type to which each argument is converted
   Type result;
-  bool is_warned = false;  ///< for a conversion of an argument
+  bool is_warned = false;  ///< a conversion of an argument gives a warning
 };
 
-/// Not copied while a checker or an interpreter uses it.
+/// Must not be copied while a checker or an interpreter uses it.
 class FunctionTable {
  public:
-  /// The general functions that this version of TMflow has.
+  /// Has the general functions of this TMflow version.
   explicit FunctionTable(Version tmflow = {});
 
-  /// Adds a function of the robot, or another form of one. Precondition: a declaration as above.
+  /// Adds a function of the robot, or another overload of one. Precondition: a declaration as above.
   void declare(std::string_view declaration, Version since);
   /// Adds a general function.
   void define(std::string_view declaration, Version since, Builtin compute);
 
-  /// The form with the best conversions. The error names what is wrong: an unknown function, one that the
-  /// simulation or the version does not have, or arguments that no form takes.
+  /// The overload with the best conversions. The error names the cause: an unknown function, a function that
+  /// is missing in the simulation or in this version, or arguments that no overload accepts.
   [[nodiscard]] Result<Match, std::string> find(const std::string& name,
                                                 const std::vector<Type>& arguments) const;
 
-  /// In any form, of any version.
+  /// True for any overload of any version.
   [[nodiscard]] bool has(std::string_view name) const { return functions_.find(name) != functions_.end(); }
 
  private:

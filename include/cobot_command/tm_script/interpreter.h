@@ -1,12 +1,12 @@
-// Runs a checked script, a statement at a time.
+// Runs a checked script, one statement at a time.
 //
 //   Interpreter script(parse(text).statements, functions, scope, robot);
 //   while (script.run(1000) == Progress::Ready) ...   // let others run
 //
-// When the robot answers a call with Wait, the script stands at that line. resume() gives the result of the
-// call, and run() goes on behind it; whatever the line did before is not done again. Owned and called by one
-// thread. The function table, the variables and the environment outlive it. Precondition: check() found no
-// errors, with the same of all these.
+// If the robot answers a call with Wait, the script waits at that line. resume() passes the result of the
+// call, and run() continues after it; completed parts of the line are not repeated. Owned and called by one
+// thread. The function table, the variables and the environment must outlive it. Precondition: check() found
+// no errors with these same objects.
 #pragma once
 
 #include <cstddef>
@@ -22,13 +22,14 @@
 namespace cobot_command::tm_script {
 
 enum class Progress {
-  Ready,    ///< more statements are to be run
+  Ready,    ///< more statements can be run
   Waiting,  ///< for resume()
-  Done,     ///< behind the last line, or at the end that the robot made
-  Failed    ///< fault() tells the line and the reason; nothing behind it is run
+  Done,     ///< after the last line, or at the end that the robot requested
+  Failed    ///< fault() has the line and the reason; no line after it is run
 };
 
-/// What the robot has said to a statement that waits now: when it goes on, it is run anew with these.
+/// A result of the robot for the statement that is waiting. When it continues, the statement is run again
+/// with these results.
 struct Answer {
   Value value;
   bool ends_script = false;
@@ -38,13 +39,13 @@ class Interpreter {
  public:
   Interpreter(Script script, const FunctionTable& functions, Scope scope, Environment& robot);
 
-  /// Runs at most so many statements, until one waits, fails or is the last.
+  /// Runs at most this number of statements, until one waits, fails or is the last.
   Progress run(int most_statements);
-  /// The result of the call that waits; it must have the declared type. Ignored when none waits.
+  /// The result of the waiting call, of the declared type. Ignored if no call waits.
   void resume(Value result);
 
   [[nodiscard]] Progress progress() const { return progress_; }
-  /// Of the statement to be run next, or that waits or failed; 0 when done.
+  /// Line of the next, waiting or failed statement; 0 when done.
   [[nodiscard]] int line() const;
   /// Only when Failed.
   [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }

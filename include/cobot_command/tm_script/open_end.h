@@ -1,4 +1,4 @@
-// What a script leaves open, so that lines behind it would be read as part of it.
+// Finds unclosed parts of a script, which would extend into the lines after it.
 #pragma once
 
 #include <optional>
@@ -7,9 +7,9 @@
 
 namespace cobot_command::tm_script {
 
-/// The first of them in words, with its line: a text that its line does not close, a comment or a bracket
-/// that the script does not close. Nothing: what follows on a line of its own is read by itself. Nothing else
-/// is checked.
+/// Describes the first one, with its line: a text that is not closed on its line, or a comment or a bracket
+/// that the script does not close. std::nullopt: lines added after the script are parsed separately. Nothing
+/// else is checked.
 [[nodiscard]] std::optional<std::string> openEndOf(std::string_view script);
 
 }  // namespace cobot_command::tm_script

@@ -1,7 +1,7 @@
-// A script as a tree of plain values, and its text.
+// A script as a tree of plain values, and its conversion to text.
 //
-// Operators of one precedence in a row stand in one node with many operands, so that the depth of a tree is
-// bounded by the brackets of its text (kMaxNesting), not by its length.
+// Consecutive operators of the same precedence form one node with many operands. The depth of a tree is
+// therefore bounded by the brackets of its text (kMaxNesting), not by its length.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace cobot_command::tm_script {
 
-/// Brackets, braces and conditions within each other on one line.
+/// Nested brackets, braces and conditions on one line.
 inline constexpr int kMaxNesting = 64;
 
 enum class BinaryOperator {
@@ -45,9 +45,9 @@ using Expressions = std::vector<Expression>;
 
 struct Literal {
   Scalar value;
-  std::optional<double> written = std::nullopt;  ///< of a float: the nearest double to what is written
+  std::optional<double> written = std::nullopt;  ///< of a float: the double nearest to the written number
 };
-/// A variable; where a text is wanted and no variable has the name, the name itself.
+/// A variable. If a text is expected and no variable has this name, the name is the text.
 struct Name {
   std::string name;
 };
@@ -68,7 +68,7 @@ struct Element {
   Boxed<Expression> array;
   Boxed<Expression> index;
 };
-/// Steps are operators and casts, the outermost first: -(int)x
+/// Steps are operators and casts, outermost first: -(int)x
 struct Prefix {
   using Step = std::variant<PrefixOperator, Type>;
   std::vector<Step> steps;
@@ -78,7 +78,8 @@ struct Postfix {
   Boxed<Expression> operand;
   PostfixOperator step;
 };
-/// a + b - c: from the left to the right; operators[i] stands before operands[i + 1], all of one precedence.
+/// a + b - c: evaluated from left to right. operators[i] is before operands[i + 1]; all have the same
+/// precedence.
 struct Chain {
   Expressions operands;
   std::vector<BinaryOperator> operators;
@@ -89,7 +90,7 @@ struct Conditional {
   Expressions results;
   Boxed<Expression> otherwise;
 };
-/// a = b += value: from the right to the left; operators[i] stands behind targets[i], nothing means "=".
+/// a = b += value: evaluated from right to left. operators[i] is after targets[i]; std::nullopt means "=".
 struct Assignment {
   Expressions targets;
   std::vector<std::optional<BinaryOperator>> operators;
@@ -119,10 +120,11 @@ using Script = std::vector<Statement>;
 [[nodiscard]] std::string toText(BinaryOperator binary);
 [[nodiscard]] std::string toText(PrefixOperator prefix);
 [[nodiscard]] std::string toText(PostfixOperator postfix);
-/// Reads back as the same tree. Whatever has an operator stands in brackets inside another operator.
+/// Parsing it gives the same tree. An expression with an operator is in brackets if it is inside another
+/// operator.
 [[nodiscard]] std::string toText(const Expression& expression);
 [[nodiscard]] std::string toText(const Statement& statement);
-/// Lines joined by CR LF, without those that hold no statement.
+/// Lines joined by CR LF, without lines that contain no statement.
 [[nodiscard]] std::string toText(const Script& script);
 
 }  // namespace cobot_command::tm_script

@@ -1,6 +1,6 @@
 // Values of the TM script language and their types (I848-E-03 chapter 1).
 //
-// Texts are bytes, meant to be UTF-8. Arrays have one dimension; all their items are of one type.
+// Texts are bytes, meant to be UTF-8. Arrays have one dimension, and all items have the same type.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace cobot_command::tm_script {
 
-/// In the order of the alternatives of Scalar; the numbers come first, from the narrowest to the widest.
+/// In the order of the alternatives of Scalar. The numeric types are first, from the narrowest to the widest.
 enum class ScalarType { Byte, Int, Float, Double, Bool, String };
 
 struct Type {
@@ -36,9 +36,10 @@ struct Array {
 
 using Value = std::variant<Scalar, Array>;
 
-/// What the manual allows for an array.
+/// Largest array that the manual allows.
 inline constexpr std::size_t kMaxElements = 2048;
-/// Of one text, or of all texts of one array: ours, so that no script can use up the memory.
+/// Limit of one text, or of all texts of one array. Chosen by this package, so that a script cannot exhaust
+/// the memory.
 inline constexpr std::size_t kMaxValueBytes = 65536;
 
 [[nodiscard]] inline ScalarType typeOf(const Scalar& scalar) {
@@ -55,14 +56,14 @@ inline constexpr std::size_t kMaxValueBytes = 65536;
   return !type.is_array && isNumber(type.scalar);
 }
 
-/// As it is declared: "int", "float[]".
+/// As in declarations: "int", "float[]".
 [[nodiscard]] std::string toText(Type type);
 
-/// Bytes that it takes in memory, nearly.
+/// Approximate size in memory [bytes].
 [[nodiscard]] std::size_t sizeOf(const Value& value);
 
-/// As the language writes a value into a text: 7 digits of a float and 15 of a double without needless zeros,
-/// True and False, {1,2,3}; texts stand without quotes.
+/// Converts a value to text as the language does: 7 digits of a float and 15 of a double without trailing
+/// zeros, True and False, {1,2,3}; texts without quotes.
 [[nodiscard]] std::string textOf(const Scalar& scalar);
 [[nodiscard]] std::string textOf(const Value& value);
 

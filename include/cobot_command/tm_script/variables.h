@@ -1,5 +1,4 @@
-// Variables by name: those of the Listen node, or of the project. Whoever owns them decides how long they
-// live.
+// Variables by name: those of the Listen node, or of the project. The owner determines their lifetime.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +11,16 @@
 
 namespace cobot_command::tm_script {
 
-/// Bytes that all variables may take together: ours, so that no client can use up the memory.
+/// Limit of the memory of all variables together. Chosen by this package, so that a client cannot exhaust the
+/// memory.
 inline constexpr std::size_t kMaxVariableBytes = std::size_t{16} << 20;
 
 class Variables {
  public:
-  /// Nothing when there is no such variable. The pointer is valid until the next set() or clear().
+  /// nullptr if the variable does not exist. The pointer is valid until the next set() or clear().
   [[nodiscard]] const Value* find(std::string_view name) const;
-  /// Makes a variable, or changes one: whoever changes it keeps its type. False when there is no room for it.
+  /// Creates or changes a variable. The caller must keep the type of an existing one. Returns false if there
+  /// is no room for it.
   bool set(std::string_view name, Value value);
   void clear();
 
@@ -28,9 +29,9 @@ class Variables {
   std::size_t bytes_ = 0;
 };
 
-/// What a script can see.
+/// The variables that a script can access.
 struct Scope {
-  Variables& locals;   ///< declared by scripts; they end when the Listen node is left
+  Variables& locals;   ///< declared by scripts; deleted when the Listen node is left
   Variables& project;  ///< declared in the project
 };
 

@@ -1,15 +1,16 @@
-// How much a slow peer may cost.
+// Limits the memory that a slow peer can use.
 #pragma once
 
 #include <cstddef>
 
 namespace cobot_command::transport {
 
-/// A peer that has left this many bytes unread when the next message is sent is dropped, beyond what the
-/// system itself buffers [bytes]. What is kept for one peer is thus at most this and one message.
+/// A peer that has left more than this many bytes unread when the next message is sent is disconnected
+/// [bytes]. Bytes in the buffers of the operating system are not counted. So at most this and one message are
+/// stored for one peer.
 ///
-/// The largest that waits for a peer who is well are the two PVTs that a path has under way, of 5,000 points
-/// with up to 150 bytes each. They leave half a megabyte for what follows them: a stop must get through.
+/// The largest backlog of a healthy peer are the two PVTs of a running path, with 5,000 points of up to 150
+/// bytes each. Half a megabyte remains for the messages after them: a stop must get through.
 inline constexpr std::size_t kSendLimit = std::size_t{2} * 1024 * 1024;
 
 }  // namespace cobot_command::transport

@@ -1,4 +1,4 @@
-// Why the network refused something, sorted by who can help.
+// Network errors, sorted by who can fix them.
 #pragma once
 
 #include <string>
@@ -7,16 +7,16 @@ namespace cobot_command::transport {
 
 struct NetworkError {
   enum class Kind {
-    Refused,       ///< the host answers, nobody listens on the port
+    Refused,       ///< the host answers, no program listens on the port
     Unreachable,   ///< no route, network or host down
     UnknownHost,   ///< the name cannot be resolved
     TimedOut,      ///< no answer in time
-    AddressInUse,  ///< another socket listens on this port
+    AddressInUse,  ///< another socket uses this port
     BadAddress,    ///< not an address of this machine
     Other
   };
   Kind kind = Kind::Other;
-  std::string message;  ///< the system's own words
+  std::string message;  ///< text of the operating system
 };
 
 }  // namespace cobot_command::transport

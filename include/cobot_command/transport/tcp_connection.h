@@ -1,9 +1,9 @@
-// One outgoing TCP connection: opened with a deadline, closed at any moment.
+// One outgoing TCP connection. Opening has a deadline; closing is possible at any time.
 //
-// Owns its socket; the io_context is the caller's and must outlive it. Not thread-safe: every call, and
-// every callback, belongs to the one thread that runs the io_context. Callbacks come only from the running
-// io_context, never from inside a call, and none comes after close() or destruction; they may close or
-// destroy the connection that calls them.
+// Owns its socket. The caller owns the io_context, which must outlive the connection. Not thread-safe: all
+// calls and callbacks must run in the one thread that runs the io_context. Callbacks are invoked only by the
+// running io_context, never inside a call, and never after close() or destruction. A callback may close or
+// destroy its own connection.
 #pragma once
 
 #include <cstddef>
@@ -25,12 +25,13 @@ namespace cobot_command::transport {
 
 class TcpConnection {
  public:
-  /// Of opened and failed exactly one follows open(); of the others none comes before opened. All are set.
+  /// After open() exactly one of opened and failed is called. The others are never called before opened. All
+  /// must be set.
   struct Callbacks {
     std::function<void()> opened;
     std::function<void(const NetworkError&)> failed;
     std::function<void(std::string_view bytes)> received;  ///< in pieces of any size
-    /// The connection ended, by the peer, by the network, or because the peer reads too slowly.
+    /// The connection has ended: by the peer, by the network, or because the peer reads too slowly.
     std::function<void(const std::string& reason)> closed;
   };
 
@@ -39,15 +40,15 @@ class TcpConnection {
   TcpConnection(const TcpConnection&) = delete;
   TcpConnection& operator=(const TcpConnection&) = delete;
 
-  /// Resolves the name, tries its addresses one after the other; all of it within `timeout`.
-  /// Precondition: called once.
+  /// Resolves the name and tries its addresses one after the other, all within `timeout`. Precondition:
+  /// called once.
   void open(const std::string& host, std::uint16_t port, Duration timeout);
 
-  /// What the system takes at once is on its way when this returns; the rest is kept and follows. Ignored
-  /// unless the connection is open.
+  /// Bytes that the operating system accepts immediately are sent when this returns; the rest is stored and
+  /// sent later. Ignored unless the connection is open.
   void send(std::string_view bytes);
 
-  /// Ends everything at once, also a connection that is still being opened.
+  /// Ends everything immediately, including a connection that is still being opened.
   void close();
 
   [[nodiscard]] bool isOpen() const;

@@ -1,8 +1,8 @@
-// A TCP server that can be closed and opened again on the same port, with any number of clients.
+// A TCP server for any number of clients. It can be closed and opened again on the same port.
 //
-// Owns its sockets; the io_context is the caller's and must outlive it. Not thread-safe: every call, and
-// every callback, belongs to the one thread that runs the io_context. Callbacks come only from the running
-// io_context, never from inside a call, and none comes for a client that was closed here, nor after close()
+// Owns its sockets. The caller owns the io_context, which must outlive the server. Not thread-safe: all calls
+// and callbacks must run in the one thread that runs the io_context. Callbacks are invoked only by the
+// running io_context, never inside a call, never for a client that was closed here, and never after close()
 // or destruction.
 #pragma once
 
@@ -23,16 +23,16 @@ class io_context;
 
 namespace cobot_command::transport {
 
-/// Unique among all servers of the process; never used twice.
+/// Unique among all servers of the process; never reused.
 using ClientId = std::uint64_t;
 
 class TcpServer {
  public:
-  /// All are set.
+  /// All must be set.
   struct Callbacks {
     std::function<void(ClientId)> connected;
     std::function<void(ClientId, std::string_view bytes)> received;  ///< in pieces of any size
-    /// The client went away, or was dropped because it reads too slowly.
+    /// The client has disconnected, or was disconnected because it reads too slowly.
     std::function<void(ClientId, const std::string& reason)> disconnected;
   };
 
@@ -41,26 +41,26 @@ class TcpServer {
   TcpServer(const TcpServer&) = delete;
   TcpServer& operator=(const TcpServer&) = delete;
 
-  /// Takes the port (0: any free one) and keeps it until destruction, also while closed; returns its number.
-  /// Nobody is served yet: clients are refused. Precondition: called once, before open().
+  /// Reserves the port (0: any free one) until destruction, also while closed, and returns its number.
+  /// Clients are refused until open(). Precondition: called once, before open().
   [[nodiscard]] Result<std::uint16_t, NetworkError> bind(const std::string& address, std::uint16_t port);
 
-  /// Serves clients from now on. Harmless when open already.
+  /// Accepts clients from now on. No effect if already open.
   [[nodiscard]] Result<void, NetworkError> open();
 
-  /// Drops all clients; new ones are refused until open().
+  /// Disconnects all clients. New ones are refused until open().
   void close();
 
   [[nodiscard]] bool isOpen() const;
 
-  /// What the system takes at once is on its way when this returns; the rest is kept and follows. An unknown
-  /// id is a client that has gone: nothing is done.
+  /// Bytes that the operating system accepts immediately are sent when this returns; the rest is stored and
+  /// sent later. Ignored for an unknown id, which is a client that has disconnected.
   void send(ClientId client, std::string_view bytes);
   void closeClient(ClientId client);
-  /// The address that the client connected from, as "127.0.0.1"; empty when it has gone.
+  /// The address of the client, as "127.0.0.1"; empty if it has disconnected.
   [[nodiscard]] std::string addressOf(ClientId client) const;
 
-  /// Bytes kept for the slowest client.
+  /// Bytes stored for the slowest client.
   [[nodiscard]] std::size_t backlog() const;
 
  private:

@@ -1,8 +1,7 @@
-// A whole cell in invented time, in one process: for each robot the command core, its agent and a simulated
-// controller on one wire, beside them the supervisor, and a measure of how far the arms really are from each
-// other.
+// A complete cell in simulated time, in one process: the command core, the agent and a simulated controller
+// of each robot, the supervisor, and a measurement of the actual distances between the arms.
 //
-// For tm_cell simulate and for tests. Everything is as in the nodes, but for sockets, threads and ROS. The
+// For tm_cell simulate and for tests. Everything works as in the nodes, except sockets, threads and ROS. The
 // same seed gives the same run.
 #pragma once
 
@@ -28,19 +27,19 @@ namespace cobot_command::trial {
 
 struct TrialSettings {
   cell::Policy policy = cell::Policy::Supervisor;
-  bool by_schedule = false;                ///< robots take turns on the zones, by the shortest cycle of all
-  int cycles = 3;                          ///< of each robot
-  std::uint64_t seed = 1;                  ///< of all that is random
-  bool is_random = false;                  ///< project speeds of 5..100 %, pauses, and delays of up to 0.2 s
-  double loss = 0.0;                       ///< share of the messages that are lost, [0, 1)
-  double doubled = 0.0;                    ///< share of those that arrive that do so twice, [0, 1]
-  Duration delay{};                        ///< of each message between a robot and the supervisor, at most
-  std::vector<std::string> not_streamed;   ///< items of the robots' status
-  std::size_t most_records = 100000;       ///< of the supervisor's journal, before it is made anew
-  Duration most = std::chrono::hours(24);  ///< invented time, after which it is given up
+  bool by_schedule = false;  ///< robots take turns on the zones according to the shortest cycle of all
+  int cycles = 3;            ///< per robot
+  std::uint64_t seed = 1;    ///< of all random effects
+  bool is_random = false;    ///< project speeds of 5..100 %, pauses, and delays of up to 0.2 s
+  double loss = 0.0;         ///< ratio of lost messages, [0, 1)
+  double doubled = 0.0;      ///< ratio of received messages that are received twice, [0, 1]
+  Duration delay{};          ///< largest delay of a message between a robot and the supervisor
+  std::vector<std::string> not_streamed;   ///< status items that the robots do not have
+  std::size_t most_records = 100000;       ///< of the supervisor's journal, before it is compacted
+  Duration most = std::chrono::hours(24);  ///< simulated time after which the run is aborted
 };
 
-/// What two arms were at least from each other.
+/// The smallest distance between two arms.
 struct LeastDistance {
   std::string robot;
   std::string other;
@@ -54,10 +53,10 @@ struct TrialEvent {
 
 struct TrialResult {
   bool all_done = false;
-  bool is_dead = false;             ///< all wait for each other
-  std::vector<std::string> faults;  ///< a sentence each
-  std::vector<int> cycles;          ///< of each robot
-  std::vector<Duration> waited;     ///< of each robot
+  bool is_dead = false;             ///< all robots wait for each other
+  std::vector<std::string> faults;  ///< one sentence each
+  std::vector<int> cycles;          ///< per robot
+  std::vector<Duration> waited;     ///< per robot
   Duration makespan{};
   LeastDistance least;
 };
@@ -69,35 +68,35 @@ class CellTrial {
       std::shared_ptr<const cell::Artifact> artifact, const TrialSettings& settings);
   ~CellTrial();
 
-  /// Until all are connected, and the supervisor is ready. False: it never is.
+  /// Runs until all robots are connected and the supervisor is ready. Returns false if that does not happen.
   bool start();
-  /// Sends each robot its goal.
+  /// Sends a goal to each robot.
   void runAll(int cycles);
   void pass(Duration duration);
-  /// False: that did not come within `most`.
+  /// Returns false if the condition was not met within `most`.
   bool passUntil(const std::function<bool()>& done, Duration most);
-  /// start(), runAll(), and until all have ended, or nothing happens any more.
+  /// start(), runAll(), then runs until all goals have ended or nothing happens any more.
   [[nodiscard]] TrialResult run();
 
   [[nodiscard]] TrialRobot& robot(cell::RobotIndex index) { return *robots_[index]; }
   [[nodiscard]] std::size_t robots() const { return robots_.size(); }
   [[nodiscard]] TrialMechanism& mechanism(std::size_t index) { return *mechanisms_[index]; }
   [[nodiscard]] bool hasSupervisor() const { return supervision_ != nullptr; }
-  /// Precondition, here and below: there is a supervisor.
+  /// Precondition, here and below: the supervisor exists.
   [[nodiscard]] cell::Supervision& supervision() { return *supervision_; }
   [[nodiscard]] cell::CellStatus status() const { return supervision_->status(now_); }
   [[nodiscard]] const LeastDistance& least() const { return least_; }
   [[nodiscard]] Instant now() const { return now_; }
-  /// The supervisor is gone: it neither hears nor tells. Started anew, it reads its journal.
+  /// Stops the supervisor: it neither receives nor publishes. After a restart it reads its journal.
   void killSupervisor() { supervision_.reset(); }
   void startSupervisor();
   [[nodiscard]] const std::string& journal() const { return journal_; }
-  /// The disk is full behind so many bytes of the journal: of a record that does not fit, only that is
-  /// written which does. Nothing: there is room.
+  /// Simulates a full disk after this number of bytes of the journal: a record that does not fit is written
+  /// partially. std::nullopt: no limit.
   void limitJournal(std::optional<std::size_t> bytes) { journal_limit_ = bytes; }
-  /// Nothing of that robot is heard, and nothing comes to it.
+  /// Cuts the connection of that robot in both directions.
   void cut(cell::RobotIndex robot, bool is_cut) { cut_[robot] = is_cut; }
-  /// Told with each event that was carried out.
+  /// Called for each executed event.
   std::function<void(const TrialEvent&)> observer;
 
  private:
@@ -106,9 +105,9 @@ class CellTrial {
   CellTrial(std::shared_ptr<const cell::Artifact> artifact, const TrialSettings& settings);
   bool append(const std::string& line);
   bool replace(const std::string& line);
-  /// If it is due, or something has changed.
+  /// Publishes the state of the supervisor if it is due or has changed.
   void tellNews(bool is_due);
-  /// To what happens next. False: nothing does until then.
+  /// Advances to the next event. Returns false if nothing happens until then.
   bool step(Instant until);
   void stepTo(Instant instant);
   void exchange();

@@ -1,4 +1,4 @@
-// One mechanism of a trial: its agent, and an axis that moves to whatever that permits.
+// One mechanism of a trial: its agent, and an axis that moves to the target that the agent permits.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,18 @@ namespace cobot_command::trial {
 
 class TrialMechanism {
  public:
-  /// Stands at its home. Precondition: the artifact has that mechanism.
+  /// Starts at its home. Precondition: the artifact has that mechanism.
   TrialMechanism(std::shared_ptr<const cell::Artifact> artifact, std::size_t mechanism,
                  std::uint64_t session);
 
-  /// From now on it runs its program.
+  /// Starts its program.
   void run() { agent_->run(true); }
   void stop() { agent_->stop(); }
   void hear(const cell::CellStatus& state, std::uint64_t number, Instant now);
   [[nodiscard]] std::optional<cell::RobotReport> takeReport(Instant now) { return agent_->takeReport(now); }
-  /// Moves on until then, and measures.
+  /// Moves the axis until then, and measures its position.
   void advanceTo(Instant now);
-  /// When it has something to do, if nothing else happens before.
+  /// The time of its next action, if nothing else happens before.
   [[nodiscard]] Instant nextEvent() const;
 
   [[nodiscard]] double position() const { return position_; }  ///< [m or rad]

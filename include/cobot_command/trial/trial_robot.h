@@ -1,4 +1,4 @@
-// One robot of a trial: its command core, its agent, and the simulated controller that both command.
+// One robot of a trial: its command core, its agent, and its simulated controller.
 #pragma once
 
 #include <cstdint>
@@ -20,27 +20,27 @@ namespace cobot_command::trial {
 
 class TrialRobot {
  public:
-  /// Stands at its home. Precondition: the artifact has that robot, of a model that is known. `not_streamed`:
+  /// Starts at its home. Precondition: the artifact has that robot, and its model is known. `not_streamed`:
   /// items that its status does not have.
   TrialRobot(std::shared_ptr<const cell::Artifact> artifact, cell::RobotIndex robot, std::uint64_t session,
              Instant now, const std::vector<std::string>& not_streamed);
 
   void connect();
   [[nodiscard]] bool isReady() const;
-  /// By the supervisor, as far as it has heard.
+  /// True if the supervisor has admitted the robot, according to the last received state.
   [[nodiscard]] bool isLetIn() const { return agent_->isLetIn(); }
   blocks::GoalId submit(const blocks::Goal& goal);
   void cancel(blocks::GoalId goal);
   void finish();
   void operate(const simulator::OperatorAction& action);
-  /// As if the network to the controller were gone.
+  /// Simulates a lost network connection to the controller.
   void dropConnections();
-  /// As if its node were started anew, with another session.
+  /// Simulates a restart of its node, with another session.
   void restart(std::uint64_t session);
-  /// Another client of the controller's script port, which knows nothing of cells, sends these bytes.
+  /// Sends bytes from another client of the controller's script port that does not use the cell.
   void receiveOfOther(const std::string& bytes);
-  /// What is said of a frame that is about to leave is changed by it before the gate looks. Counts from the
-  /// next restart() on, too.
+  /// Modifies the description of a frame that is about to be sent, before the gate checks it. Also applies
+  /// after restart().
   std::function<void(command::Departure&)> tamper;
 
   void hear(const cell::CellStatus& state, std::uint64_t number);
@@ -49,20 +49,20 @@ class TrialRobot {
   [[nodiscard]] Instant nextEvent() const;
   void advanceTo(Instant instant);
 
-  /// nullptr: it has not ended.
+  /// nullptr: the goal has not ended.
   [[nodiscard]] const blocks::Outcome* outcome(blocks::GoalId goal) const;
   [[nodiscard]] const std::vector<blocks::Progress>& progress(blocks::GoalId goal) { return progress_[goal]; }
-  /// The scripts that were sent, ids and tags included.
+  /// The sent scripts, including ids and tags.
   [[nodiscard]] const std::vector<std::string>& scripts() const { return scripts_; }
   [[nodiscard]] simulator::RobotState state();
   [[nodiscard]] const cell::Agent& agent() const { return *agent_; }
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// The one that was submitted last.
+  /// The goal that was submitted last.
   [[nodiscard]] blocks::GoalId lastGoal() const { return goals_; }
-  /// Of that one; nullptr: it has not ended.
+  /// Outcome of the last goal; nullptr: it has not ended.
   [[nodiscard]] const blocks::Outcome* lastOutcome() const { return outcome(goals_); }
   [[nodiscard]] bool hasEnded() const { return lastOutcome() != nullptr; }
-  /// Where the arm truly is, in the world, as far as it is described: links and tool.
+  /// The true position of the arm in the world, as far as its shapes are described: links and tool.
   [[nodiscard]] cell::Capsules bodies();
 
  private:
@@ -80,7 +80,7 @@ class TrialRobot {
   void send(const command::SendBytes& action);
   void observe(const link::RobotStatus& status);
   void note(const command::FrameTraced& action);
-  /// By its client at the controller; 0: there is none any more.
+  /// The connection of a client of the controller; 0: it no longer exists.
   [[nodiscard]] link::ConnectionId connectionOf(simulator::ClientId client) const;
   void forget(link::ConnectionId id, const std::string& reason);
 

@@ -9,7 +9,7 @@ MOST = 14  # rows
 URGENCY = (FAILED, REFUSED, OPEN, STOPPED, SUCCEEDED)  # what is shown first where not all have room
 # Where the columns begin, as a share of the width.
 COLUMNS = (("begun", 0.0), ("action", 0.055), ("goal", 0.18), ("outcome", 0.475), ("planned", 0.565), ("actual", 0.625),
-           ("error, or what was said", 0.685))
+           ("error, or message", 0.685))
 LETTER = 0.0051  # the width of one of the verdicts, as a share of the line
 ERROR_LETTERS, GOAL_LETTERS = 78, 58
 
@@ -52,7 +52,7 @@ def draw_goals(axes, analysis):
     axes.axhline(1.05, color=style.FAINT, linewidth=0.8)
     for line, (values, kind) in enumerate(rows):
         for (name, x), value in zip(COLUMNS, values):
-            most = {"error, or what was said": ERROR_LETTERS, "goal": GOAL_LETTERS}.get(name, 24)
+            most = {"error, or message": ERROR_LETTERS, "goal": GOAL_LETTERS}.get(name, 24)
             axes.text(x, line + 1.7, style.shortened(value, most), fontsize=8, va="center",
                       color=style.KINDS[kind] if name == "outcome" else style.INK,
                       fontweight="bold" if name == "outcome" else "normal")

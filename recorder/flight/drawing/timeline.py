@@ -110,8 +110,8 @@ def draw_frames(axes, lane, run):
 
 
 def legend():
-    bars = (("succeeded", style.GOOD), ("refused", style.REFUSED), ("stopped, held", style.STOPPED), ("failed", style.BAD))
+    bars = (("succeeded", style.GOOD), ("refused", style.REFUSED), ("stopped, paused", style.STOPPED), ("failed", style.BAD))
     ends = (("tag done", tags.DONE), ("tag dropped by a stop", tags.DROPPED), ("tag failed", tags.FAILED))
-    frames = (("script", SENT), ("reply, tag", RECEIVED), ("lifesign", QUESTION), ("error, faulty", FAULT))
+    frames = (("script", SENT), ("reply, tag", RECEIVED), ("heartbeat", QUESTION), ("error, faulty", FAULT))
     return [*(Patch(color=colour, alpha=0.4, label=label) for label, colour in bars), *(Patch(color=TAGS[end], label=label) for label, end in ends),
             *(Line2D([], [], color=colour, label=label) for label, colour in frames)]

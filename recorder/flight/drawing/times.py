@@ -18,7 +18,7 @@ def draw(axes, analysis):
     axes.set_title("Planned and actual time")
     axes.set_xlabel("[s]" if len(rows) == len(analysis.commands) else f"[s]; of {len(analysis.commands)} the {MOST} that differ most")
     if not rows:
-        axes.text(0.5, 0.5, "nothing that was planned was driven", transform=axes.transAxes, ha="center")
+        axes.text(0.5, 0.5, "no planned motion was executed", transform=axes.transAxes, ha="center")
         axes.set_yticks([])
         return
     longest = max(max(row.planned, row.actual) for row in rows)

@@ -111,7 +111,7 @@ Result<CollisionShape, ModelError> shapeOf(const urdf::Link& link, const urdf::C
     shape.reset();
   }
   if (shape && !anchor) {
-    problem = "is not fixed to a link of the arm, so nobody knows where it is. Make its joints \"fixed\"";
+    problem = "is not fixed to a link of the arm, so its position is unknown. Make its joints \"fixed\"";
   }
   if (!shape || !anchor) {
     return refuse(

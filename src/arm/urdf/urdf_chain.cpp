@@ -24,14 +24,13 @@ constexpr double kMostDistance = 10;
 /// What is wrong with the k-th moving joint of the path, if anything.
 std::optional<std::string> problemOf(const urdf::Joint& joint, const std::string& expected_name) {
   if (joint.name != expected_name) {
-    return fmt::format(
-        "the joint {} stands where {} is needed. The six joints of the arm are, from "
-        "the base: {}",
-        quoted(joint.name), quoted(expected_name), fmt::join(kJointNames, ", "));
+    return fmt::format("the joint {} is where {} is needed. The six joints of the arm are, from the base: {}",
+                       quoted(joint.name), quoted(expected_name), fmt::join(kJointNames, ", "));
   }
   const std::string name = quoted(joint.name);
   if (joint.type != urdf::Joint::REVOLUTE || !joint.limits) {
-    return fmt::format("the joint {} is not of type \"revolute\" with a <limit>. Make it so", name);
+    return fmt::format(
+        "the joint {} is not of type \"revolute\" with a <limit>. Set this type and add a <limit>", name);
   }
   const auto& limit = *joint.limits;
   if (!(limit.lower >= -kMostAngle && limit.upper <= kMostAngle && limit.lower < limit.upper)) {

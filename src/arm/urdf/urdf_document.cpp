@@ -136,7 +136,7 @@ std::optional<ModelError> whyNotOneRobot(const std::string& text) {
   if (text.find('\0') != std::string::npos) return noUrdf("there is a NUL byte in it");
   tinyxml2::XMLDocument document;
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-    return noUrdf(fmt::format("line {} is no XML, {}", document.ErrorLineNum(), document.ErrorName()));
+    return noUrdf(fmt::format("line {} is not XML, {}", document.ErrorLineNum(), document.ErrorName()));
   }
   if (document.FirstChildElement("robot") == nullptr) return noUrdf("it has no <robot>");
   const auto problem = problemBeside(document);

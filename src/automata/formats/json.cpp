@@ -25,7 +25,7 @@ template <class... Values>
 }
 
 const json& member(const json& object, const char* key, json::value_t kind, std::string_view place) {
-  if (!object.is_object()) fail("{} is no object", place);
+  if (!object.is_object()) fail("{} is not an object", place);
   const auto at = object.find(key);
   if (at == object.end()) fail("{} has no \"{}\"", place, key);
   if (at->type() != kind) fail("{}.{} is {}, not {}", place, key, at->type_name(), json(kind).type_name());
@@ -48,7 +48,7 @@ class Names {
   Names(std::string what, std::string place) : what_(std::move(what)), place_(std::move(place)) {}
   void add(const std::string& name) {
     if (!index_.emplace(name, static_cast<std::uint32_t>(index_.size())).second) {
-      fail("{}: the {} \"{}\" is there twice", place_, what_, foreignText(name, kQuoteLimit));
+      fail("{}: the {} \"{}\" appears twice", place_, what_, foreignText(name, kQuoteLimit));
     }
   }
   [[nodiscard]] std::uint32_t of(const json& value, const std::string& place) const {
@@ -99,7 +99,7 @@ Automaton readAutomaton(const json& source, const Names& events, const std::stri
 
 Problem readProblem(const json& source, const std::string& place) {
   Problem problem;
-  if (!source.is_object()) fail("{} is no object", place);
+  if (!source.is_object()) fail("{} is not an object", place);
   problem.name = textOr(source, "name");
   problem.about = textOr(source, "about");
   Names events("event", place);
@@ -139,7 +139,7 @@ json written(const Automaton& automaton, const Problem& problem) {
 
 Result<std::vector<Problem>, std::string> problemsFromJson(std::string_view text) {
   const json file = json::parse(text, nullptr, false);
-  if (file.is_discarded()) return refuse(std::string("this is no JSON"));
+  if (file.is_discarded()) return refuse(std::string("this is not JSON"));
   try {
     std::vector<Problem> problems;
     for (const json& problem : member(file, "problems", json::value_t::array, "the file")) {

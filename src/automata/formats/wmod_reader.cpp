@@ -49,7 +49,8 @@ void forEachChild(const XMLElement& parent, std::initializer_list<std::string_vi
     if (isForPeople(child->Name())) continue;
     const bool is_known = std::find(known.begin(), known.end(), child->Name()) != known.end();
     if (!is_known) {
-      fail(*child, "<{}> in <{}> is more than plain automata have, and not read: make a module without it",
+      fail(*child,
+           "<{}> in <{}> is not supported, because only plain automata are read: make a module without it",
            foreignText(child->Name(), kQuoteLimit), parent.Name());
     }
     visit(*child);
@@ -100,15 +101,15 @@ class Reader {
     const std::string kind = attribute(element, "Kind");
     const std::string name = attribute(element, "Name");
     if (element.FirstChildElement("RangeList") != nullptr) {
-      fail(element, "the event \"{}\" has an index: it is not read", name);
+      fail(element, "the event \"{}\" has an index: this is not supported", name);
     }
     if (kind == "PROPOSITION") return;
     if (kind != "CONTROLLABLE" && kind != "UNCONTROLLABLE") {
-      fail(element, "an event is {}: known are CONTROLLABLE, UNCONTROLLABLE and PROPOSITION",
+      fail(element, "an event is {}: allowed are CONTROLLABLE, UNCONTROLLABLE and PROPOSITION",
            foreignText(kind, kQuoteLimit));
     }
     if (!events_.emplace(name, static_cast<EventIndex>(problem_.events.size())).second) {
-      fail(element, "the event \"{}\" is there twice", foreignText(name, kQuoteLimit));
+      fail(element, "the event \"{}\" appears twice", foreignText(name, kQuoteLimit));
     }
     problem_.events.push_back({name, kind == "CONTROLLABLE"});
   }
@@ -119,7 +120,7 @@ class Reader {
     const std::string kind = attribute(element, "Kind");
     // What a supervisor forbids is what a spec forbids.
     if (kind != "PLANT" && kind != "SPEC" && kind != "SUPERVISOR") {
-      fail(element, "an automaton is {}: known are PLANT, SPEC and SUPERVISOR",
+      fail(element, "an automaton is {}: allowed are PLANT, SPEC and SUPERVISOR",
            foreignText(kind, kQuoteLimit));
     }
     automaton.kind = kind == "PLANT" ? Automaton::Kind::Plant : Automaton::Kind::Spec;
@@ -153,7 +154,7 @@ class Reader {
                         std::map<std::string, StateIndex>& states, bool& has_initial) {
     const auto index = static_cast<StateIndex>(automaton.states.size());
     const std::string name = attribute(element, "Name");
-    if (!states.emplace(name, index).second) fail(element, "the state \"{}\" is there twice", name);
+    if (!states.emplace(name, index).second) fail(element, "the state \"{}\" appears twice", name);
     automaton.states.push_back(name);
     if (element.BoolAttribute("Initial")) {
       if (has_initial) fail(element, "{} has several initial states", automaton.name);
@@ -210,10 +211,10 @@ class Reader {
 Result<Problem, std::string> problemFromWmod(std::string_view text) {
   tinyxml2::XMLDocument document;
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-    return refuse(forPeople(fmt::format("this is no XML: {}", document.ErrorStr())));
+    return refuse(forPeople(fmt::format("this is not XML: {}", document.ErrorStr())));
   }
   const auto* module = document.FirstChildElement("Module");
-  if (module == nullptr) return refuse(std::string("this is no module of WATERS: it has no <Module>"));
+  if (module == nullptr) return refuse(std::string("this is not a module of WATERS: it has no <Module>"));
   try {
     Problem problem = Reader().read(*module);
     const auto faults = faultsOf(problem);

@@ -171,7 +171,8 @@ std::optional<PathRefusal> loadScript(path::PathPlanner planner, const path::Scr
   auto script = path::scriptOf(loaded.plan, loaded.first, planner.scene(), active);
   if (!script) return std::move(script.error());
   if (loaded.max_deviation > 0) {
-    loaded.approximations.emplace_back("max_deviation is not watched: the corners of a script are its own");
+    loaded.approximations.emplace_back(
+        "max_deviation is not monitored: a script determines its corners itself");
   }
   for (const path::PointScript& point : *script) {
     loaded.approximations.insert(loaded.approximations.end(), point.approximations.begin(),

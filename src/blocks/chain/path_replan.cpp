@@ -59,16 +59,16 @@ std::optional<std::string> PathReplan::answered(const Detail& found) {
   }
   refusal_ = fmt::format(
       "at a feedrate of {:.6g} % {}", 100 * feedrate_,
-      reloaded.refusal.empty() ? "it could not be planned in the time there was" : reloaded.refusal);
+      reloaded.refusal.empty() ? "it could not be planned in the available time" : reloaded.refusal);
   if (chain_.isRewound()) {
     failure_ = Failure{own_error::kRestNotPlanned, refusal_, ""};
     return std::nullopt;
   }
-  return refusal_ + (isServed() ? "; the path keeps its feedrate" : "; the path waits for another one");
+  return refusal_ + (isServed() ? "; the path keeps its feedrate" : "; the path waits for another feedrate");
 }
 
 std::string PathReplan::text() const {
-  return refusal_.empty() ? "is planned at another feedrate" : refusal_ + ": waits for another one";
+  return refusal_.empty() ? "is planned at another feedrate" : refusal_ + ": waits for another feedrate";
 }
 
 }  // namespace cobot_command::blocks

@@ -29,13 +29,13 @@ JogEnd jogEndOf(const motion::Refusal& obstacle) {
 const char* wayOutOf(JogEnd end) {
   switch (end) {
     case JogEnd::JointLimit:
-      return "jog it the other way";
+      return "jog it in the other direction";
     case JogEnd::JointSpeed:
-      return "jog more slowly, the other way, or its joints by AXES";
+      return "jog more slowly, in the other direction, or by joints (AXES)";
     case JogEnd::Singularity:
-      return "jog the other way, or through it with AXES";
+      return "jog in the other direction, or pass the singularity with AXES";
     default:
-      return "jog the other way";
+      return "jog in the other direction";
   }
 }
 

@@ -73,9 +73,11 @@ std::optional<Failure> otherTool(const JogGoal& goal, const PlanningScene& scene
   const auto tool = scene.tables.toolInFlange(goal.tool);
   if (!tool) return missing(tables::table_error::kToolIndex, tool.error());
   if (arm::isSamePose(*tool, setting.tcp)) return std::nullopt;
-  return Failure{tables::table_error::kToolIndex,
-                 fmt::format("tool {} is not the active TCP, about which the controller turns", goal.tool),
-                 "Make it the active one with change_tcp, or give tool -1"};
+  return Failure{
+      tables::table_error::kToolIndex,
+      fmt::format("tool {} is not the active TCP, and the controller turns only about the active TCP",
+                  goal.tool),
+      "Make it the active one with change_tcp, or give tool -1"};
 }
 
 /// Each joint at its share of its rated speed; or by the same angle.
@@ -157,12 +159,13 @@ std::string nearestSingularity(const arm::ArmModel& arm, const arm::JointVector&
   const arm::SingularityDistance distance = arm::singularityDistance(arm, joints);
   const double shoulder = std::abs(distance.shoulder);
   if (shoulder <= std::min(distance.elbow, distance.wrist)) {
-    return fmt::format("the next singularity is that of the shoulder, {:.1f} mm from there", mToMm(shoulder));
+    return fmt::format("the nearest singularity is that of the shoulder, {:.1f} mm from there",
+                       mToMm(shoulder));
   }
   return distance.elbow <= distance.wrist
-             ? fmt::format("the next singularity is that of the elbow, J3 = {:.1f} deg there",
+             ? fmt::format("the nearest singularity is that of the elbow, J3 = {:.1f} deg there",
                            radToDeg(joints[2]))
-             : fmt::format("the next singularity is that of the wrist, J5 = {:.1f} deg there",
+             : fmt::format("the nearest singularity is that of the wrist, J5 = {:.1f} deg there",
                            radToDeg(joints[4]));
 }
 
@@ -193,15 +196,15 @@ std::string JogPlan::obstacleText() const {
   const int joint = obstacle->joint;
   if (obstacle->reason == Reason::JointLimit && joint >= 0) {
     const arm::JointLimit& limits = arm->limits()[static_cast<std::size_t>(joint)];
-    return fmt::format("J{} comes to its limit, {:.6g} to {:.6g} deg", joint + 1, radToDeg(limits.lower),
+    return fmt::format("J{} reaches its limit, {:.6g} to {:.6g} deg", joint + 1, radToDeg(limits.lower),
                        radToDeg(limits.upper));
   }
   const std::string nearest = nearestSingularity(*arm, rest);
   if (obstacle->reason == Reason::JointSpeed && joint >= 0) {
     return fmt::format("J{} would be faster than rated; {}", joint + 1, nearest);
   }
-  const char* const what = obstacle->reason == Reason::Singular ? "the way runs into a singularity"
-                                                                : "the way leaves the reach of the arm";
+  const char* const what = obstacle->reason == Reason::Singular ? "the path runs into a singularity"
+                                                                : "the path leaves the reach of the arm";
   return fmt::format("{}; {}", what, nearest);
 }
 
@@ -262,7 +265,7 @@ Result<std::shared_ptr<const JogPlan>, Failure> planJog(const JogGoal& goal, con
   const bool has_frames = scene.start->base && scene.start->tcp;
   if (!plan->of_joints && !has_frames) {
     return refuse(Failure{own_error::kStartUnknown,
-                          "the active base or TCP is one of the project, of unknown value", ""});
+                          "the active base or TCP is defined in the project, and its value is unknown", ""});
   }
   plan->setting = {scene.start->base.value_or(arm::Pose::Identity()),
                    scene.start->tcp.value_or(arm::Pose::Identity()), scene.start->speed_override};

@@ -93,7 +93,7 @@ void JogRun::keepAlive(Instant now) {
 
 void JogRun::advance(Instant now) {
   look(now);
-  if (rests_until_ && now >= *rests_until_ && open_ > 0) halt("the arm did not come to rest in time", now);
+  if (rests_until_ && now >= *rests_until_ && open_ > 0) halt("the arm was not at standstill in time", now);
   if (reason_until_ && now >= *reason_until_) fire(Event::Failed, now);
   if (!outcome()) endWhenNothingIsLeft(now);
 }
@@ -134,7 +134,7 @@ void JogRun::commandEnded(CommandKey /*key*/, const Outcome& outcome, Instant no
 
 void JogRun::endOfMode(Instant now) {
   if (state_ != State::Driving) return;
-  endBy(JogEnd::Released, -1, "the controller has ended its mode of velocities");
+  endBy(JogEnd::Released, -1, "the controller has ended its velocity mode");
   fire(Event::AtEnd, now);
 }
 
@@ -150,7 +150,7 @@ bool JogRun::fallsBack(const Outcome& outcome) {
 void JogRun::commandRefused(CommandKey /*key*/, const Failure& failure, Instant now) {
   const JogEnd end = jogEndOf(failure.error_id);
   if (state_ == State::Driving && started_ > 0 && end != JogEnd::None) {
-    endBy(end, -1, fmt::format("{}; the arm stands before that: {}", failure.found, wayOutOf(end)));
+    endBy(end, -1, fmt::format("{}; the arm stops before that: {}", failure.found, wayOutOf(end)));
     fire(Event::AtEnd, now);
   } else {
     fail(failure, now);
@@ -160,13 +160,13 @@ void JogRun::commandRefused(CommandKey /*key*/, const Failure& failure, Instant 
 
 void JogRun::endAtTheObstacle() {
   if (plan_->step) {
-    endBy(JogEnd::IncrementDone, -1, "the increment was made");
+    endBy(JogEnd::IncrementDone, -1, "the increment is complete");
   } else if (!plan_->obstacle) {
-    endBy(JogEnd::Longest, -1, "ten minutes are over, which is as far as it was planned: send it again");
+    endBy(JogEnd::Longest, -1, "the jog has reached its planned maximum of ten minutes: send it again");
   } else {
     const JogEnd end = jogEndOf(*plan_->obstacle);
     endBy(end, plan_->obstacle->joint,
-          fmt::format("{}; the arm stands before that: {}", plan_->obstacleText(), wayOutOf(end)));
+          fmt::format("{}; the arm stops before that: {}", plan_->obstacleText(), wayOutOf(end)));
   }
 }
 
@@ -191,7 +191,7 @@ std::optional<std::string> JogRun::stopsFor() const {
 }
 
 void JogRun::cancel(const std::string& why, Instant now) {
-  if (open_ == 0 && state_ == State::Driving) stopped_why_ = why + "; no motion was under way";
+  if (open_ == 0 && state_ == State::Driving) stopped_why_ = why + "; no motion was running";
   fire(Event::Cancel, now);
   endWhenNothingIsLeft(now);
 }
@@ -244,9 +244,9 @@ void JogRun::robotChanged(const robot::RobotWatch& robot, Instant now) {
 void JogRun::watch(const robot::RobotWatch& robot, Instant now) {
   if (plan_->step) return;
   if (robot.held()) {
-    halt("the robot is held, by a pause or a safeguard: a jog does not go on by itself", now);
+    halt("the robot is paused or stopped by a safeguard: a jog does not resume automatically", now);
   } else if (!robot.status()) {
-    halt("the status stream does not tell any more where the robot is", now);
+    halt("the status stream no longer shows where the robot is", now);
   } else if (std::abs(robot.speedOverride() - plan_->setting.speed_override) > kSameOverride) {
     halt("the project speed was changed: jog again", now);
   } else if (state_ == State::Slowing && rest_taken_ && moving_ == false &&
@@ -261,7 +261,7 @@ void JogRun::lookWhileItWaits(const robot::RobotWatch& robot, Instant now) {
   } else if (robot.inError()) {
     fail(robotError(robot), now);
   } else if (robot.held() && !plan_->step) {
-    halt("the robot is held, by a pause or a safeguard: let it go on first", now);
+    halt("the robot is paused or stopped by a safeguard: resume it first", now);
   } else if (state_ == State::Explaining) {
     tellStoppedProject(robot, failure_);
     if (!robot.status() || reason_.endsWithFrame(now)) fire(Event::Failed, now);
@@ -289,12 +289,11 @@ void JogRun::tell(Instant now) {
   Progress progress = progress_;
   if (isComingToRest()) {
     progress.phase = Phase::Stopping;
-    progress.text =
-        state_ == State::Slowing ? "no keep-alive: comes to rest" : "comes to rest: " + report_.why;
+    progress.text = state_ == State::Slowing ? "no keep-alive: stopping" : "stopping: " + report_.why;
   } else if (velocity_refused_) {
-    progress.text += "; by short moves, as the controller takes no velocities";
+    progress.text += "; by short moves, because the controller accepts no velocities";
   } else if (drive_->means() == JogMeans::Velocity && plan_->of_joints) {
-    progress.text += "; by velocities: when this node or its link dies, nobody stops the joints";
+    progress.text += "; by velocities: if this node or its link fails, the joints are not stopped";
   }
   progress.planned.reset();
   progress.remaining.reset();
@@ -307,13 +306,13 @@ void JogRun::tell(Instant now) {
 
 /// Nobody can tell the controller any more.
 const char* JogRun::withoutLink() const {
-  if (plan_->step) return "; the controller makes the increment to its end";
+  if (plan_->step) return "; the controller completes the increment";
   if (drive_->means() == JogMeans::Moves) {
-    return "; what the controller has of the jog ends by itself within 0.2 s";
+    return "; the part of the jog at the controller ends within 0.2 s";
   }
   return plan_->of_joints
-             ? "; the controller keeps its velocity: the robot moves on until it is stopped there"
-             : "; without a velocity the controller lets the arm rest by itself, within 0.5 s";
+             ? "; the controller keeps its velocity: the robot continues to move until it is stopped there"
+             : "; without a velocity the controller stops the arm within 0.5 s";
 }
 
 /// The first one is the reason; what follows is of it.
@@ -348,7 +347,7 @@ void JogRun::fire(Event event, Instant now) {
       reason_.begin(now);
       return;
     case JogAction::EndDone:
-      endBy(JogEnd::Released, -1, "no keep-alive came any more");
+      endBy(JogEnd::Released, -1, "no more keep-alives were received");
       complete(Outcome());
       return;
     case JogAction::EndStopped:

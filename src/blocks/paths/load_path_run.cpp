@@ -203,7 +203,7 @@ void LoadPathRun::goOnFrom(const robot::RobotWatch& robot, Instant now) {
     record_.stopped(*robot.joints());
     return;
   }
-  fail({own_error::kRestNotPlanned, "the status stream does not tell where the robot stands", ""}, now);
+  fail({own_error::kRestNotPlanned, "the status stream does not show where the robot is", ""}, now);
   endWhenNothingIsLeft(now);
 }
 
@@ -211,7 +211,7 @@ void LoadPathRun::goOnFrom(const robot::RobotWatch& robot, Instant now) {
 
 void LoadPathRun::cancel(const std::string& why, Instant now) {
   if (state_ == State::Following) {
-    stopped_why_ = why + (restarting_ ? "; the robot was stopped" : "; no motion was under way");
+    stopped_why_ = why + (restarting_ ? "; the robot was stopped" : "; no motion was running");
   }
   fire(Event::Cancel, now);
   endWhenNothingIsLeft(now);
@@ -223,7 +223,7 @@ void LoadPathRun::interrupt(const std::string& why, Instant now) {
 }
 
 void LoadPathRun::finish(FinishAfter /*after*/, Instant now) {
-  constexpr const char* kWhy = "nothing more is begun behind a finish";
+  constexpr const char* kWhy = "no motion is started after a finish";
   goals_.dropUntouched(kWhy, now);
   if (goals_.pieces().isUnbegun()) cancel(kWhy, now);
 }

@@ -37,7 +37,7 @@ std::string gateText(const PathChain& chain, const PathChain::Place& place,
                      const path::TrackingObjects& objects) {
   const PathChain::Member* const at_gate = chain.firstAtGate();
   if (at_gate == nullptr || !chain.placeOf(*at_gate, place).waits_for_tracking) return "";
-  return fmt::format("behind load_path {}, which {}", at_gate->loaded->method_id,
+  return fmt::format("after load_path {}, which {}", at_gate->loaded->method_id,
                      textOfGate(objects, at_gate->loaded->tracking));
 }
 
@@ -47,7 +47,7 @@ std::string textOfPlace(const PathChain& chain, const PathChain::Member& member,
   if (!member.passed_gate && !at_gate.empty()) return at_gate;
   if (chain.sent().empty()) return "waits for a goal that it may blend into";
   const bool has_a_place = place.pending_path_points < static_cast<int>(member.count());
-  return has_a_place ? "loaded behind what is under way" : "waits for a place behind what is under way";
+  return has_a_place ? "loaded after the running points" : "waits for room after the running points";
 }
 
 /// The points up to there are of goals whose ends have no tag, as a PVT has few, and were shown to be passed.
@@ -233,8 +233,8 @@ void PathGoals::tellPhase(Progress& progress, const Member& member, const PathPl
   const bool is_stopped = controls_.held || (controls_.stopped && waits);
   if (is_stopped && phase_ != Phase::Stopping) {
     progress.phase = Phase::Held;
-    progress.text = begun ? "stopped on its path: resume_path, or a feedrate above 0, lets it go on"
-                          : "paths are stopped: resume_path, or a feedrate above 0, lets it begin";
+    progress.text = begun ? "stopped on its path: resume_path, or a feedrate above 0, continues it"
+                          : "paths are stopped: resume_path, or a feedrate above 0, starts it";
   } else if (chain_.sent().empty() && phase_ != Phase::Stopping && !replan_.isServed()) {
     progress.phase = Phase::Held;
     progress.text = replan_.text();
@@ -285,7 +285,7 @@ std::optional<Failure> PathGoals::deviation() const {
   const double most = member.loaded->max_deviation;
   if (most <= 0 || progress_.offThePath() <= most) return std::nullopt;
   return Failure{own_error::kPathDeviates,
-                 fmt::format("the moved frame is {:.6g} mm off its path, and {:.6g} mm is allowed",
+                 fmt::format("the moved frame is {:.6g} mm off its path; allowed: {:.6g} mm",
                              progress_.offThePath() * 1000, most * 1000),
                  ""};
 }
@@ -317,7 +317,7 @@ void PathGoals::dropFrom(std::size_t member, const std::string& why, Instant now
   const auto& members = chain_.members();
   const int culprit = members[member].loaded->method_id;
   for (std::size_t i = members.size(); i-- > member;) {
-    const std::string text = i == member ? why : fmt::format("load_path {} in front of it: {}", culprit, why);
+    const std::string text = i == member ? why : fmt::format("load_path {} before it: {}", culprit, why);
     reports_.end(members[i].goal, complete(members[i], commandAborted(text), now), reports_.goal());
   }
   chain_.dropFrom(member);

@@ -44,7 +44,7 @@ std::vector<Outcome> failedOutcomes(const PathChain& chain, const PathChain::Pla
   const auto number = first.loaded->method_id;
   std::vector<Outcome> outcomes(
       chain.members().size(),
-      commandAborted(fmt::format("load_path {} in front of it failed: {}", number, failure.found)));
+      commandAborted(fmt::format("load_path {} before it failed: {}", number, failure.found)));
   failure.detail = blaming(first, std::clamp(place.done, first.first, first.behind() - 1) - first.first);
   outcomes.front() = toOutcome(kThis, Ending::Aborted, failure);
   return outcomes;

@@ -33,22 +33,22 @@ bool isZero(const Numbers& numbers) {
 /// nobody has set: they count as that.
 std::string surpriseIn(const PathPoint& model) {
   if (is(model.move_type, path::MoveType::Incremental)) {
-    return "its move_type is INCREMENTAL, allowed: ABSOLUTE 0: poses say where, and are not added to "
-           "anything";
+    return "its move_type is INCREMENTAL, allowed: ABSOLUTE 0: poses are absolute positions";
   }
   if (is(model.target_type, path::TargetType::Hybrid)) {
-    return "its target_point_type is HYBRID, allowed: CARTESIAN 1: poses say how the wrist stands, too";
+    return "its target_point_type is HYBRID, allowed: CARTESIAN 1: poses also give the orientation of the "
+           "wrist";
   }
   if (!isZero(model.pose) || !isZero(model.joints)) {
-    return "it has a target of its own in pose or joints, allowed: zeros: poses say where";
+    return "it has a target of its own in pose or joints, allowed: zeros: poses give the targets";
   }
   if (is(model.interpolation, path::Interpolation::Circular)) {
     return "its interpolation_type is CP_CIRCULAR, allowed: PTP 0, CP_LINEAR 1, CP_WRIST 2: an arc needs a "
            "via_pose for each pose; give such points in path";
   }
   if (is(model.ref_frame_type, path::Reference::User)) {
-    return "its ref_frame_type is USER, allowed: ROBOT 1: poses say their frame in frame_id; give "
-           "poses in a user frame as points in path";
+    return "its ref_frame_type is USER, allowed: ROBOT 1: poses give their frame in frame_id; give poses in "
+           "a user frame as points in path";
   }
   return "";
 }
@@ -81,8 +81,8 @@ std::optional<PathRefusal> faultOfAll(const std::vector<PathPoint>& path, std::s
   }
   if (!hasRoom(path.front().move_id, count)) {
     return unsuitable(fmt::format(
-        "path[0] is the template of the poses, and its move_id is {}, to which each of the {} poses "
-        "adds its index; allowed: 0, or such that none becomes 0 or more than {}: choose another one",
+        "path[0] is the template of the poses, and its move_id is {}, to which each of the {} poses adds its "
+        "index; allowed: 0, or a value for which no sum is 0 or above {}: choose another one",
         path.front().move_id, count, std::numeric_limits<int>::max()));
   }
   return std::nullopt;
@@ -113,7 +113,7 @@ std::optional<PathRefusal> place(PathPoint& point, std::size_t index, const Fram
   }
   if (!isFinite(pose)) {
     return wrong(path::path_error::kTargetPose, index,
-                 "a number of its pose is not finite, allowed: finite numbers: give the pose anew");
+                 "a number of its pose is not finite, allowed: finite numbers: correct the pose");
   }
   if (!isOfUnitLength(pose)) {
     return wrong(path::path_error::kTargetPose, index,

@@ -14,7 +14,7 @@ class PathRestore {
  public:
   /// Of no piece of a path.
   static constexpr CommandKey kKey = std::numeric_limits<CommandKey>::max();
-  static constexpr const char* kNotRestored = "; base and TCP may be those of the path still";
+  static constexpr const char* kNotRestored = "; base and TCP may still be those of the path";
 
   /// No lines: nothing has to be set back.
   void begin(Order order) { order_ = std::move(order); }

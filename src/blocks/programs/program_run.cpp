@@ -123,7 +123,7 @@ void ProgramRun::cancel(const std::string& why, Instant now) {
     wait_->cancel(why, now);
     return followWait(now);
   }
-  if (!cancelled_why_) cancelled_why_ = why + "; no motion was under way";
+  if (!cancelled_why_) cancelled_why_ = why + "; no motion was running";
   if (!under_way_) fire(Event::Cancelled, now);
 }
 
@@ -132,7 +132,7 @@ void ProgramRun::finish(FinishAfter after, Instant now) {
   if (after != FinishAfter::Move) return;
   ends_behind_move_ = true;
   if (under_way_) return;
-  if (!cancelled_why_) cancelled_why_ = "finished on request, behind this move";
+  if (!cancelled_why_) cancelled_why_ = "finished on request, after this move";
   fire(Event::Cancelled, now);
 }
 

@@ -135,7 +135,7 @@ void PickAndPlaceRun::cancel(const std::string& why, Instant now) {
     followWait(now);
     return;
   }
-  if (!cancelled_why_) cancelled_why_ = why + "; no motion was under way";
+  if (!cancelled_why_) cancelled_why_ = why + "; no motion was running";
   if (!under_way_) fire(Event::Cancelled, now);
 }
 
@@ -148,11 +148,11 @@ void PickAndPlaceRun::finish(FinishAfter after, Instant now) {
   } else if (after == FinishAfter::Move) {
     ends_behind_move_ = true;
     finished_why_ = state_ == State::Dwelling ? "finished on request, in a dwell"
-                                              : "finished on request, behind this move";
+                                              : "finished on request, after this move";
     if (!under_way_) fire(Event::Cancelled, now);
   } else if (!isLast()) {
     goal_.cycles = cycle_;
-    finished_why_ = fmt::format("finished on request, behind cycle {}", cycle_);
+    finished_why_ = fmt::format("finished on request, after cycle {}", cycle_);
     owes_exit_ = state_ == State::Dwelling && isLast() && step().move.exit_node;
   }
 }

@@ -24,7 +24,7 @@ std::optional<Failure> findMovedFrame(const char* field, const std::optional<Fra
   const auto now = finder(pose->frame);
   if (!now || !now->matrix().allFinite()) {
     return Failure{own_error::kFrameUnknown,
-                   fmt::format("{} is in \"{}\", which is not known any more", field, frame), ""};
+                   fmt::format("{} is in \"{}\", which is no longer known", field, frame), ""};
   }
   FramedPose moved = *pose;
   moved.frame_in_robot_base = now;
@@ -33,7 +33,7 @@ std::optional<Failure> findMovedFrame(const char* field, const std::optional<Fra
   const double angle = Eigen::AngleAxisd(change.linear()).angle();
   if (distance <= kMovedDistance && angle <= kMovedAngle) return std::nullopt;
   return Failure{own_error::kFrameMoved,
-                 fmt::format("{} is in \"{}\": since the goal came it has moved by {:.1f} mm and {:.1f} "
+                 fmt::format("{} is in \"{}\": since the goal arrived it has moved by {:.1f} mm and {:.1f} "
                              "degrees in the robot base",
                              field, frame, mToMm(distance), radToDeg(angle)),
                  ""};

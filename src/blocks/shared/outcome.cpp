@@ -127,7 +127,7 @@ std::string Remarks::text() const {
   std::string text;
   const auto add = [&text](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
   if (!unplanned.empty()) add("sent unplanned and unchecked: " + unplanned);
-  if (!unseen.empty()) add("nobody has seen where it ended: " + unseen);
+  if (!unseen.empty()) add("its end position was not confirmed: " + unseen);
   if (!pace.empty()) add(pace);
   if (!warned_lines.empty()) add(textOfWarnings());
   return text;

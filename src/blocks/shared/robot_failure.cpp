@@ -23,14 +23,13 @@ void tellStoppedProject(const robot::RobotWatch& robot, Failure& loss) {
 }
 
 Failure robotError(const robot::RobotWatch& robot) {
-  const std::string way_out =
-      !robot.tooMuch()
-          ? ""
-          : fmt::format(
-                "Execute stop, then change_tcp with the tool that is there, and at most {} kg of tool "
-                "and load (change_load) together: the next motion then clears the error. "
-                "If it does not, clear it on the controller",
-                robot.tooMuch()->payload);
+  const std::string way_out = !robot.tooMuch()
+                                  ? ""
+                                  : fmt::format(
+                                        "Execute stop, then change_tcp with the mounted tool, and at most {} "
+                                        "kg of tool and load (change_load) together: the next motion then "
+                                        "clears the error. If it does not, clear it on the controller",
+                                        robot.tooMuch()->payload);
   return {own_error::kRobotError, robot.errorText(), way_out};
 }
 

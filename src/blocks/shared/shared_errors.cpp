@@ -22,9 +22,8 @@ constexpr SharedError kThesisErrors[] = {
      "no connect goal is Busy, or its link is not established (yet)"},
     {motion_error::kOtherBlockBusy, "Other function block is under execution",
      "Wait until it is done, or use buffer_mode BUFFERED or ABORTING",
-     "buffer_mode REFUSE and another command is Busy; a blended motion is not any more once the controller "
-     "has "
-     "accepted it"},
+     "buffer_mode REFUSE and another command is Busy; a blended motion is no longer Busy once the controller "
+     "has accepted it"},
     {motion_error::kClearBuffer, "Clear buffer error", kCheckWiring, kNoSuchStep},
     {motion_error::kSpeedRangeAbsolute, "Speed range: above 0, at most 4500 mm/s", kSetInRange,
      "a format with speed in mm/s (second letter A): speed is not above 0, above 4500, or not a number"},
@@ -42,17 +41,18 @@ constexpr SharedError kThesisErrors[] = {
     {motion_error::kSend, "TCP send error", kCheckWiring,
      "cannot occur any more: a failed send closes the connection, see 16#99"},
     {motion_error::kReceiveReply, "TCP receive error", kCheckWiring,
-     "the controller did not answer the script in time; the robot is told to stop"},
+     "the controller did not answer the script in time; the robot is sent a stop command"},
     {motion_error::kRejected, "Command rejected", kExecuteAgain,
      "the controller answered ERROR with the numbers of the faulty lines"},
     {motion_error::kClearBufferAgain, "Clear buffer error", kCheckWiring, kNoSuchStep},
     {motion_error::kLinkDropped, "Robot not connected",
-     "Send a goal to connect again; nothing resumes by itself",
-     "the link dropped, or an emergency stop came, while the command was Busy"},
+     "Send a goal to connect again; nothing resumes automatically",
+     "the link dropped, or an emergency stop occurred, while the command was Busy"},
     {motion_error::kReceiveTag, "TCP receive error", kCheckWiring,
-     "the motion is overdue, and the question for its tag got no answer; the robot is told to stop"},
+     "the motion is overdue, and the query for its tag got no answer; the robot is sent a stop command"},
     {motion_error::kMotionFailed, "Motion failed", kExecuteAgain,
-     "the controller reported the tag as not completed, and the robot stands; the robot is told to stop"},
+     "the controller reported the tag as not completed, and the robot is at standstill; the robot is sent a "
+     "stop command"},
 };
 
 constexpr SharedError kTargetErrors[] = {
@@ -63,53 +63,53 @@ constexpr SharedError kTargetErrors[] = {
      "planning: a point of the path is out of reach"},
     {own_error::kPoseBits, "Robot pose not achievable",
      "Choose another robot pose, or let the arm keep the present one",
-     "planning: a point can be reached, but not with the wanted configuration, or not with that of the "
-     "start"},
+     "planning: a point can be reached, but not with the requested configuration, or not with the "
+     "configuration of the start"},
     {own_error::kJointLimit, "Joint limit exceeded", "Choose another target, robot pose or path",
      "planning: a joint would leave its range"},
     {own_error::kJointSpeed, "Joint speed exceeded", "Lower the speed, or use PTP",
-     "planning: a joint would have to be faster than rated"},
+     "planning: a joint would exceed its rated speed"},
     {own_error::kSingular, "Path is singular", "Use PTP, or a path away from the singularity",
-     "planning: the path runs into or too close to a singularity"},
+     "planning: the path runs into a singularity, or too close to one"},
     {own_error::kNotPlannable, "Motion cannot be planned", kSetInRange,
-     "planning: refused for another reason, which the description tells"},
+     "planning: refused for another reason; see the description"},
     {own_error::kBlendingTooLarge, "Blending does not fit",
      "Lower blending_value, or choose targets that are further apart",
-     "in a sequence that is checked: the blending radius is larger than half of the way to its corner, "
-     "or of the way behind it"},
+     "in a checked sequence: the blending radius is larger than half of the path to its corner, or of the "
+     "path after it"},
     {own_error::kStartUnknown, "Start unknown",
-     "Wait until the status stream shows the robot standing; one that is held stands after a stop",
-     "check_only, and it is not known where the motion would start: no status stream, or the robot moves, or "
-     "is held, from an unknown place"},
+     "Wait until the status stream shows the robot at standstill; stop a paused robot first",
+     "check_only, and the start of the motion is unknown: no status stream, or the robot is in a motion, or "
+     "paused in a motion, whose end is unknown"},
     {own_error::kNoModel, "No arm model", "Start the command layer with the model of the robot",
-     "check_only, and the command layer knows no model of the arm"},
+     "check_only, and the command layer has no model of the arm"},
     {own_error::kAmbiguousTurn, "Turn ambiguous",
-     "Go by a point between, at which the tool has turned part of the way, or use PTP to joints",
-     "planning: the tool, or a joint of a PTP to a pose, would make half a turn (to 1 deg), and nobody knows "
-     "which way round the controller makes it"},
+     "Add an intermediate point at which the tool has made part of the turn, or use PTP to joints",
+     "planning: the tool, or a joint of a PTP to a pose, would make half a turn (to 1 deg), and it is "
+     "unknown in which direction the controller turns"},
     {own_error::kFrameMoved, "Frame moved",
-     "Send the goal again; or give its header a stamp, which asks for where the frame was then",
-     "a target in a tf frame, at its latest place (stamp zero), is more than 1 mm or 0.1 degrees from where "
-     "it was when the goal came: looked for when a goal that waited gets its turn, and before each move of a "
+     "Send the goal again; or set the stamp of its header, to use the frame at that time",
+     "a target in a tf frame at its latest position (stamp zero) is more than 1 mm or 0.1 degrees from where "
+     "it was when the goal arrived; checked when a queued goal gets its turn, and before each move of a "
      "pick_and_place"},
     {own_error::kPlanningBudget, "Planning took too long",
-     "Divide the sequence or the script, or choose higher speeds: a path is planned point by point; or raise "
+     "Divide the sequence or the script, choose higher speeds (a path is planned point by point), or raise "
      "~planning_budget",
-     "a plan was not made within ~planning_budget: of a check, of a cycle in front of its first move, or of "
-     "a "
-     "move or a script before it is sent"},
+     "a plan was not completed within ~planning_budget: of a check, of a cycle before its first move, or of "
+     "a move or a script before it is sent"},
     {own_error::kCoordinateRange, "Coordinate range: -100000~100000", kSetInRange,
-     "a coordinate [mm, deg] is beyond what any arm of the family could mean"},
+     "a coordinate [mm, deg] is beyond the reach of any arm of the family"},
     {own_error::kFrameUnknown, "Frame unknown", "Give a frame that tf connects with the robot base",
      "a pose is in a tf frame that cannot be transformed to the robot base"},
     {own_error::kQuaternion, "Quaternion not of unit length",
      "Normalise the quaternion; 0, 0, 0, 1 means no rotation",
-     "the length of a pose's quaternion differs from 1 by more than 0.001, as that of all zeros"},
+     "the length of a pose's quaternion differs from 1 by more than 0.001, for example 0 if all numbers are "
+     "zero"},
     {own_error::kBaseUnknown, "Active base or TCP unknown",
-     "Give them by value, or tick Base_Value and TCP_Value in the Ethernet Slave's data table; behind a "
+     "Give them by value, or tick Base_Value and TCP_Value in the Ethernet Slave's data table; after a "
      "change by name, wait for the next status frame",
-     "a target in a tf frame, and it is not known in which base the controller would take it; or a motion to "
-     "be checked in a sequence, in a base or TCP that the project knows by name only"},
+     "a target in a tf frame, and the active base is unknown; or a motion in a checked sequence, and its "
+     "base or TCP is identified only by its name in the project"},
 };
 
 constexpr SharedError kParameterErrors[] = {
@@ -119,12 +119,12 @@ constexpr SharedError kParameterErrors[] = {
     {own_error::kMovementUnknown, "MovementCommand unknown", "Use 0 (Line) or 1 (PTP)",
      "movement_command is neither 0 nor 1"},
     {own_error::kNoFreeTag, "No free queue tag", "Wait until a command is done",
-     "cannot occur: what is at the controller at a time has 15 tags at most"},
+     "cannot occur: the commands at the controller use at most 15 tags at a time"},
     {own_error::kBufferModeUnknown, "BufferMode unknown", "Use 0 (REFUSE), 1 (BUFFERED) or 2 (ABORTING)",
-     "buffer_mode is none of them"},
+     "buffer_mode is none of these"},
     {own_error::kQueueFull, "Too many commands wait", "Wait until one is done, or cancel one",
-     "buffer_mode BUFFERED, and the queue of this layer is full; or as many wait for a frame or a file, or "
-     "as checks to be planned"},
+     "buffer_mode BUFFERED, and the queue of this layer is full; or too many goals wait for a frame or a "
+     "file, or checks for planning"},
     {own_error::kOutputInvalid, "Output invalid",
      "Use 0 to 3 of EndModule, or 0 to 15 of ControlBox; the analog one is 0 of ControlBox",
      "the output is of another module, or the module has no such number"},
@@ -136,18 +136,18 @@ constexpr SharedError kParameterErrors[] = {
     {own_error::kInputInvalid, "Input invalid", "Use 0 to 3 of EndModule, or 0 to 15 of ControlBox",
      "the input is of another module, or the module has no such number"},
     {own_error::kWaitRange, "Timeout range: 0~86400 s", kSetInRange,
-     "the timeout is negative, above 86400, or not a number; 0 waits without an end"},
-    {own_error::kInputTimedOut, "Input not seen in time", "Find out why the input does not come",
-     "the input had another value until the timeout; a pause of the robot holds that"},
+     "the timeout is negative, above 86400, or not a number; 0 means no timeout"},
+    {own_error::kInputTimedOut, "Input not seen in time", "Find out why the input does not change",
+     "the input had the other value until the timeout; the timeout does not run while the robot is paused"},
     {own_error::kInputUnknown, "Input not in the status stream",
-     "Tick the input in the Ethernet Slave's data table, and let status_port not be 0",
-     "there is no status stream, or its data table does not have the input, when it is the goal's turn or "
-     "while it waits"},
+     "Tick the input in the Ethernet Slave's data table, and set a status_port other than 0",
+     "there is no status stream, or its data table does not contain the input, when the goal gets its turn "
+     "or while it waits"},
     {own_error::kNameInvalid, "Name invalid", "Give the name as it is in the TMflow project",
      "a name has more than 255 bytes or control characters, or is not UTF-8"},
     {own_error::kStepCount, "Number of steps out of range", kSetInRange, "there are no steps, or too many"},
     {own_error::kStepRefused, "Step refused", "Correct the step",
-     "the check of a step found an error, which the description tells with the index of the step"},
+     "the check of a step found an error; the description gives the error and the index of the step"},
 };
 
 constexpr SharedError kRobotErrors[] = {
@@ -156,49 +156,46 @@ constexpr SharedError kRobotErrors[] = {
      "connected, but the flow is in another node; or the controller answered CPERR F1"},
     {own_error::kEmergencyStop, "Emergency stop is pressed",
      "Release the emergency stop and start the project again",
-     "the status stream shows an emergency stop when the command comes (during execution: 16#99)"},
+     "the status stream shows an emergency stop when the command arrives (during execution: 16#99)"},
     {own_error::kRobotError, "Controller is in error",
      "Execute stop, which acknowledges the error: the next motion then clears it. If it does not, clear it "
      "on the "
      "controller",
-     "the status stream shows an error that no stop has acknowledged, when the command comes, or while it is "
-     "Busy; "
-     "code and text are given, and what the arm carries where change_tcp and change_load gave it more than "
-     "its "
-     "payload: the remedy names the way out then"},
+     "the status stream shows an error that no stop has acknowledged, when the command arrives, or while it "
+     "is Busy; code and text are given. If change_tcp and change_load gave the arm more than its payload, "
+     "the masses are given, too, and the remedy is to reduce them"},
     {own_error::kNotAtTarget, "Target not reached",
      "Make sure that no other client commands this controller, then execute again",
-     "the tag came back as complete, but until ~evidence_timeout later the status stream showed the robot "
-     "away "
-     "from the target, or still in motion; the robot is told to stop"},
+     "the tag was reported as complete, but until ~evidence_timeout later the status stream showed the robot "
+     "away from the target, or still in motion; the robot is sent a stop command"},
     {own_error::kOrphanMoves, "Robot may move without a goal of this layer",
-     "Wait until it stands, execute stop, or use buffer_mode ABORTING",
-     "buffer_mode REFUSE, and the robot moves on from before the link was made, as ~stop_orphaned_motion is "
-     "false, or a stop was not confirmed (16#225); either counts until a status frame shows the robot "
-     "standing or a stop is confirmed"},
-    {own_error::kStoppedElsewhere, "Motion stopped by somebody else",
-     "Find out who stops the robot: another client of this controller (a second command node stops what it "
-     "finds in motion, unless its ~stop_orphaned_motion is false), the project or the pendant; then execute "
-     "again",
-     "the robot has stood away from the target for ~evidence_timeout, no pause and no safeguard holds it, "
-     "and the controller, asked, does not know the tag any more; the robot is told to stop"},
+     "Wait until it is at standstill, execute stop, or use buffer_mode ABORTING",
+     "buffer_mode REFUSE, and the robot may still move: a motion from before the link was not stopped "
+     "(~stop_orphaned_motion false), or a stop was not confirmed (16#225). This ends when a status frame "
+     "shows standstill or a stop is confirmed"},
+    {own_error::kStoppedElsewhere, "Motion stopped from outside",
+     "Find out what stops the robot: another client of this controller (a second command node stops any "
+     "motion that it finds, unless its ~stop_orphaned_motion is false), the project or the pendant; then "
+     "execute again",
+     "the robot has been at standstill away from the target for ~evidence_timeout, no pause and no safeguard "
+     "stops it, and the controller, when queried, no longer knows the tag; the robot is sent a stop command"},
     {own_error::kTagLost, "Motion not confirmed", kExecuteAgain,
-     "the motion is overdue and the controller does not know its tag, or cannot tell for too long; the robot "
-     "is told to stop"},
+     "the motion is overdue, and the controller does not know its tag, or reports it as incomplete for too "
+     "long; the robot is sent a stop command"},
     {own_error::kCommunication, "Communication error reported by the controller", kExecuteAgain,
-     "the controller answered the script with CPERR 01..04; a robot that was to move is told to "
-     "stop"},
-    {own_error::kStopNotConfirmed, "Stop not confirmed", "Make sure that the robot stands before you go on",
+     "the controller answered the script with CPERR 01..04; if the script was to move the robot, a stop "
+     "command is sent"},
+    {own_error::kStopNotConfirmed, "Stop not confirmed",
+     "Make sure that the robot is at standstill before you continue",
      "after a cancel, or for a goal with buffer_mode ABORTING, the controller did not accept the stop, or "
-     "the status stream did not show the robot come to rest in time"},
+     "the status stream did not show the robot at standstill in time"},
     {own_error::kOnlyPrograms, "In a cell only programs move the robot",
      "Use run_program; or take the robot out of the cell, and start its node without ~cell",
-     "the node has a ~cell: what else moves the robot, or leaves the Listen node, is refused before a byte "
-     "of "
-     "it is sent"},
+     "the node has a ~cell: any other command that moves the robot, or leaves the Listen node, is refused "
+     "before a byte of it is sent"},
     {own_error::kShutDown, "Command layer is shutting down", "Start the command layer again",
-     "cannot occur through ROS, whose node takes no goals by then: the goal came after the command layer was "
-     "told to shut down"},
+     "cannot occur through ROS, because the node accepts no goals by then: the goal arrived after the "
+     "command layer began to shut down"},
 };
 
 constexpr SharedError kInterfaceErrors[] = {
@@ -206,13 +203,13 @@ constexpr SharedError kInterfaceErrors[] = {
      "Send a goal to exchange_configuration, and wait until it is enabled",
      "~require_exchange_configuration is true, and no exchange_configuration goal is enabled"},
     {interface_error::kNotSynchronized, "Interface is not synchronized",
-     "Bring the data into line: write the entry that is meant, or change it back on the pendant",
-     "enabled data are out of sync, with a sync_reaction, and were so when the robot or the interface was "
+     "Synchronize the data: write the intended entry, or change it back on the pendant",
+     "enabled data are out of sync with a sync_reaction set, and were so when the robot or the interface was "
      "enabled"},
-    {interface_error::kInterrupted, "Interrupted: cannot go on before the data are in sync",
-     "Bring the data into line, then RESUME with program_control; or stop; a goal with BUFFERED waits",
-     "a sync_reaction has interrupted the robot, as enabled data are out of sync, and the goal cannot wait: "
-     "its buffer_mode is not BUFFERED; or they are in sync again, and nobody has resumed it"},
+    {interface_error::kInterrupted, "Interrupted: cannot continue before the data are in sync",
+     "Synchronize the data, then RESUME with program_control; or stop; a goal with BUFFERED waits",
+     "a sync_reaction has interrupted the robot because enabled data are out of sync, and the goal cannot "
+     "wait: its buffer_mode is not BUFFERED; or the data are in sync again, and the robot was not resumed"},
 };
 
 template <std::size_t N>
@@ -275,7 +272,7 @@ ErrorTable& ErrorTable::thesisCommand() {
 
 ErrorTable& ErrorTable::echoedCommandId() {
   return shared(motion_error::kCommandIdRange,
-                "command_id is neither 0 (none) nor 2..9, which the thesis does not look at in this block");
+                "command_id is neither 0 (none) nor 2..9; the thesis does not check it in this block");
 }
 
 ErrorTable& ErrorTable::anyCommand() {

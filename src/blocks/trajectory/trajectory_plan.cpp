@@ -124,7 +124,7 @@ int pointAt(const Points& points, double time) {
 Failure refusedOnTheWay(const motion::Refusal& refusal, const Points& points) {
   const int index = pointAt(points, refusal.at * points.back().time);
   Failure failure = toFailure(refusal);
-  failure.found = fmt::format("on the way to point {}: {}", index, failure.found);
+  failure.found = fmt::format("on the path to point {}: {}", index, failure.found);
   return blaming(std::move(failure), index, refusal.joint);
 }
 
@@ -136,14 +136,13 @@ std::optional<Failure> checkLeftOut(const Points& points, const TrajectoryPlan& 
         plan.motion->at(fromSeconds(points[i].time)).position - jointsOf(points[i].positions);
     const auto joint = jointOff(gap, plan.path_tolerance);
     if (!joint) continue;
-    return blaming(
-        {own_error::kTrajectoryInvalid,
-         fmt::format("point {} is nearer than {} ms to the ones beside it, and without it J{} would "
-                     "pass {:.3f} deg away; allowed: {:.3f} deg",
-                     i, motion::kLeastSegment.count() / 1000000, *joint + 1, radToDeg(std::abs(gap[*joint])),
-                     radToDeg(plan.path_tolerance[*joint])),
-         "Give points at least 25 ms apart"},
-        static_cast<int>(i), static_cast<int>(*joint));
+    return blaming({own_error::kTrajectoryInvalid,
+                    fmt::format("point {} is less than {} ms from its neighbours, and without it J{} would "
+                                "pass {:.3f} deg away; allowed: {:.3f} deg",
+                                i, motion::kLeastSegment.count() / 1000000, *joint + 1,
+                                radToDeg(std::abs(gap[*joint])), radToDeg(plan.path_tolerance[*joint])),
+                    "Give points at least 25 ms apart"},
+                   static_cast<int>(i), static_cast<int>(*joint));
   }
   return std::nullopt;
 }
@@ -192,11 +191,10 @@ Result<std::shared_ptr<const TrajectoryPlan>, Failure> planTrajectory(const Foll
 
   Segments segments = segmentsOf(points, start);
   if (const auto most = static_cast<std::size_t>(scene.path.block_points); segments.size() > most) {
-    return refuse(
-        Failure{own_error::kTrajectoryInvalid,
-                fmt::format("{} points are left that are 25 ms apart or more; allowed: {} in one PVT",
-                            segments.size(), most),
-                "Give fewer points, or send the trajectory in parts"});
+    return refuse(Failure{own_error::kTrajectoryInvalid,
+                          fmt::format("{} points remain that are 25 ms apart or more; allowed: {} in one PVT",
+                                      segments.size(), most),
+                          "Give fewer points, or send the trajectory in parts"});
   }
   // At the full project speed: a slower one only takes longer.
   auto planned = motion::plan(*scene.arm, start, motion::Pvt{segments}, motion::Setting());

@@ -127,7 +127,7 @@ std::optional<std::string> TrajectoryRun::stopsFor() const {
 }
 
 void TrajectoryRun::cancel(const std::string& why, Instant now) {
-  if (state_ == State::Following) stopped_why_ = why + "; no motion was under way";
+  if (state_ == State::Following) stopped_why_ = why + "; no motion was running";
   fire(Event::Cancel, now);
   if (!sent_) fire(Event::NothingLeft, now);
 }
@@ -162,13 +162,13 @@ void TrajectoryRun::follow(const robot::RobotWatch& robot, Instant now) {
   const auto offence = follower_->offence(*joints_, now);
   if (!offence) return;
   const double allowed = plan_->path_tolerance[offence->joint];
-  fail(blaming({own_error::kPathTolerance,
-                fmt::format(
-                    "J{} is {:.3f} deg off the trajectory, {:.3f} s behind its start; allowed: {:.3f} deg",
-                    offence->joint + 1, radToDeg(offence->gap), toSeconds(follower_->time(now)),
-                    radToDeg(allowed)),
-                ""},
-               offence->joint),
+  fail(blaming(
+           {own_error::kPathTolerance,
+            fmt::format("J{} is {:.3f} deg off the trajectory, {:.3f} s after its start; allowed: {:.3f} deg",
+                        offence->joint + 1, radToDeg(offence->gap), toSeconds(follower_->time(now)),
+                        radToDeg(allowed)),
+            ""},
+           offence->joint),
        Event::LeftPath, now);
 }
 

@@ -26,7 +26,7 @@ class InputWait final : public QueueWait {
   [[nodiscard]] Progress progress(Instant /*now*/) const override {
     Progress progress;
     progress.text =
-        isHeld() ? fmt::format("waits for {}; the timeout stands still while the robot is held", name())
+        isHeld() ? fmt::format("waits for {}; the timeout does not run while the robot is paused", name())
                  : fmt::format("waits for {} to be {}", name(), goal_.value ? "on" : "off");
     return progress;
   }
@@ -56,7 +56,7 @@ class InputWait final : public QueueWait {
   void timeIsOver(Instant now) override {
     fail({own_error::kInputTimedOut,
           seen_ ? fmt::format("{} was {} for {} s", name(), goal_.value ? "off" : "on", goal_.timeout)
-                : fmt::format("no status frame came in {} s", goal_.timeout),
+                : fmt::format("no status frame arrived in {} s", goal_.timeout),
           ""},
          now);
   }

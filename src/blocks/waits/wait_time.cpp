@@ -26,7 +26,7 @@ class TimeWait final : public QueueWait {
     Progress progress;
     progress.remaining = remaining(now);
     progress.text =
-        isHeld() ? "the time stands still while the robot is held" : fmt::format("waits for {}", name());
+        isHeld() ? "the time does not run while the robot is paused" : fmt::format("waits for {}", name());
     return progress;
   }
 

@@ -54,7 +54,7 @@ Failure notDriven(const RetraceGoal& goal, const DrivenPath& driven, int method)
   const std::string what = goal.point == RetraceGoal::kStart
                                ? fmt::format("the start of load_path {}", method)
                                : fmt::format("point {} of load_path {}", goal.point, method);
-  return notDriven(what + " was not driven past, or is not remembered", driven, method);
+  return notDriven(what + " was not passed, or is no longer recorded", driven, method);
 }
 
 struct Target {
@@ -65,8 +65,8 @@ struct Target {
 Result<Target, Failure> targetOf(const RetraceGoal& goal, const DrivenPath& driven) {
   if (goal.point == RetraceGoal::kEnd) {
     if (driven.stood()) return Target{driven.reached(), driven.stood()};
-    return refuse(notDriven("where the robot was when it left the path is not known for certain", driven,
-                            driven.lastGoal()));
+    return refuse(
+        notDriven("the position at which the robot left the path is not certain", driven, driven.lastGoal()));
   }
   const int method = goal.method_id == 0 ? driven.lastGoal() : goal.method_id;
   const auto time =
@@ -77,12 +77,11 @@ Result<Target, Failure> targetOf(const RetraceGoal& goal, const DrivenPath& driv
 
 Failure notOnTheWay(const DrivenPath& driven, const arm::JointVector& joints) {
   const path::WayMiss miss = path::missOf(driven, joints);
-  return {
-      own_error::kNotOnTheWay,
-      fmt::format("no place of it is within 0.1 deg of each joint of the robot; where it is nearest, J{} is "
-                  "{:.2f} deg off",
-                  miss.joint + 1, radToDeg(miss.gap)),
-      ""};
+  return {own_error::kNotOnTheWay,
+          fmt::format("no point of the path is within 0.1 deg of each joint of the robot; at the nearest "
+                      "one, J{} is {:.2f} deg off",
+                      miss.joint + 1, radToDeg(miss.gap)),
+          ""};
 }
 
 std::optional<Failure> objectionTo(const PlanningScene& scene) {
@@ -149,33 +148,32 @@ ErrorTable RetraceGoal::errors() {
       .shared({motion_error::kReceiveTag, motion_error::kMotionFailed, own_error::kPlanningBudget,
                own_error::kNoFreeTag, own_error::kTagLost, own_error::kNotAtTarget,
                own_error::kStoppedElsewhere})
-      .shared(own_error::kJointLimit, "a joint would leave its software limits, which are others now")
+      .shared(own_error::kJointLimit, "a joint would leave its software limits, which have changed since")
       .shared(own_error::kJointSpeed,
-              "cannot occur: it is no faster than the path, which was planned within it")
+              "cannot occur: it is no faster than the path, which was planned within the rated speeds")
       .shared(motion_error::kSpeedRangePercent, "speed is below 1, above 100 or not a number; 0 means 25 %")
       .shared(own_error::kStartUnknown,
-              "it is not known where the robot stands: no status stream, or it moves, or is held, from an "
-              "unknown place")
-      .shared(own_error::kNoModel, "the command layer knows no model of the arm")
+              "the position of the robot is unknown: no status stream, or the robot is in a motion, or "
+              "paused in a motion, whose end is unknown")
+      .shared(own_error::kNoModel, "the command layer has no model of the arm")
       .shared(own_error::kNotPlannable,
-              "the way would take more than three hours: at a low speed, and a low speed "
-              "override")
-      .row(own_error::kPvtUnavailable, "PVT not available", "Move the robot out in another way",
+              "the retrace would take more than three hours: at a low speed, and a low speed override")
+      .row(own_error::kPvtUnavailable, "PVT not available", "Move the robot out by another command",
            "the controller has refused to enter a PVT since the link was made")
-      .row(own_error::kPvtTooLong, "Too long for one PVT", "Choose a nearer point, and go on from there",
-           "the way would take more points than ~pvt_block_points; their number does not depend on the speed")
-      .row(own_error::kNothingDriven, "No way of a path is known", "Drive one with load_path before",
+      .row(own_error::kPvtTooLong, "Too long for one PVT", "Choose a nearer point, and continue from there",
+           "the retrace would take more points than ~pvt_block_points; their number does not depend on the "
+           "speed")
+      .row(own_error::kNothingDriven, "No path is recorded", "Run a path with load_path first",
            "no load_path goal has moved this controller's robot since the command layer was started; or the "
-           "last one was stopped, to go on, next to its way")
+           "last one was stopped beside its path, to continue from there")
       .row(
-          own_error::kPointNotDriven, "Point was not driven past", kSetInRange,
-          "point is none that the robot has come to, or behind, in that goal; or it is further back than the "
-          "last 1000 points; or END, and the robot had left its way; or point is below -2, or method_id "
-          "negative")
-      .row(own_error::kNotOnTheWay, "Robot is not on the way",
-           "Bring it back to the way by another motion, or move it out in another way",
-           "no place of the way is within 0.1 deg of each joint of the robot, up to 3 s behind where it was "
-           "seen on it last");
+          own_error::kPointNotDriven, "Point was not passed", kSetInRange,
+          "the robot has not reached or passed point in that goal; or point is further back than the last "
+          "1000 points; or END, and the robot had left its path; or point is below -2, or method_id negative")
+      .row(own_error::kNotOnTheWay, "Robot is not on the path",
+           "Bring it back to the path by another motion, or move it out by another command",
+           "no point of the path is within 0.1 deg of each joint of the robot, up to 3 s after the point "
+           "where it was last seen on the path");
 }
 
 GoalTraits traitsOf(const RetraceGoal& goal) {

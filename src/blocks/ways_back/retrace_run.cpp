@@ -34,7 +34,7 @@ void RetraceRun::endUnsent(Outcome outcome) {
 }
 
 void RetraceRun::cancel(const std::string& why, Instant /*now*/) {
-  endUnsent(commandAborted(why + "; no motion was under way"));
+  endUnsent(commandAborted(why + "; no motion was running"));
 }
 
 void RetraceRun::linkLost(const std::string& reason, std::optional<Duration> /*patience*/, Instant /*now*/) {

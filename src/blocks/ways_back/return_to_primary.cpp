@@ -35,7 +35,7 @@ void checkPlace(ParameterChecks& checks, const ReturnToPrimaryGoal& goal) {
   if (!goal.place) return;
   const auto target = targetOf(goal);
   checks.require(target.has_value(), return_error::kReturnMode,
-                 "return_mode is 1 (END_POSITION), and the robot was at no motion whose end is known: use 0 "
+                 "return_mode is 1 (END_POSITION), and the interrupted motion has no known end: use 0 "
                  "(INTERRUPT_POSITION)");
   const bool is_limited = goal.distance_limit > 0 && target;
   checks.require(!is_limited || target->distance_mm <= goal.distance_limit, return_error::kTooFar,
@@ -58,34 +58,32 @@ ErrorTable ReturnToPrimaryGoal::errors() {
       .shared({own_error::kNotListening, own_error::kEmergencyStop, own_error::kRobotError,
                own_error::kStopNotConfirmed, own_error::kOrphanMoves, own_error::kBaseUnknown})
       .shared(motion_error::kOtherBlockBusy,
-              "another command is Busy, or the robot moves: the way back waits for none")
+              "another command is Busy, or the robot moves: this motion is never queued")
       .condition(own_error::kNotPlannable,
-                 "cannot occur: within its ranges nothing is refused for another reason than those above")
+                 "cannot occur: within the ranges there is no other reason to refuse")
       .condition(own_error::kBaseUnknown,
-                 "LINEAR, and the active base is one of the project whose value is not known")
+                 "LINEAR, and the active base is defined in the project and its value is unknown")
       .shared(motion_error::kSpeedRangePercent, "speed is negative or above 100; 0 means 10 %")
       .shared(own_error::kNotFinite, "speed or distance_limit is NaN")
       .shared(own_error::kCoordinateRange, "distance_limit is negative or above 100000 mm")
-      .row(own_error::kInterruption, "Nothing is interrupted", "Use the service interrupt before",
-           "no motion was interrupted by the service interrupt, or it goes on, or has ended, since")
+      .row(own_error::kInterruption, "Nothing is interrupted", "Use the service interrupt first",
+           "no motion was interrupted by the service interrupt, or it has continued or ended since")
       .row(return_error::kTooFar, "Limit exceeded",
            "Move closer to the return position, or raise distance_limit",
            "the TCP is further away than distance_limit")
       .row(return_error::kToolDiffers, "The TCP differs from that of the interruption",
            "Set it as it was (change_tcp), or give allow_differences",
-           "the active TCP is another one than when the robot was interrupted, without allow_differences")
+           "the active TCP is not the one at the interruption, without allow_differences")
       .row(return_error::kLoadDiffers, "The load differs from that of the interruption",
            "Set it as it was (change_load, change_tcp), or give allow_differences",
-           "the mass of the tool, or of what it holds, is another one than when the robot was interrupted, "
-           "without "
+           "the mass of the tool, or of its load, is not the one at the interruption, without "
            "allow_differences")
       .row(return_error::kFrameDiffers, "The base differs from that of the interruption",
            "Set it as it was (change_base), or give allow_differences",
-           "the active base is another one than when the robot was interrupted, without allow_differences")
+           "the active base is not the one at the interruption, without allow_differences")
       .row(return_error::kReturnMode, "Return mode invalid", kSetInRange,
            "return_mode is neither 0 (INTERRUPT_POSITION) nor 1 (END_POSITION); or it is 1, and the robot "
-           "was at no "
-           "motion, or at a path, which has no such end")
+           "was in no motion, or in a path, which has no such end")
       .row(return_error::kTrajectoryMode, "Trajectory mode invalid", kSetInRange,
            "trajectory_mode is neither 1 (LINEAR) nor 2 (PTP)");
 }

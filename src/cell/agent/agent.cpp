@@ -23,7 +23,7 @@ Result<std::shared_ptr<Agent>, std::string> Agent::of(std::shared_ptr<const Arti
     std::vector<std::string> names;
     names.reserve(robots.size());
     for (const RobotProgram& program : robots) names.push_back(program.name);
-    return refuse(fmt::format("the artifact has no robot \"{}\", but {}", foreignText(robot, kQuoteLimit),
+    return refuse(fmt::format("the artifact has no robot \"{}\"; it has {}", foreignText(robot, kQuoteLimit),
                               fmt::join(names, ", ")));
   }
   const auto index = static_cast<RobotIndex>(found - robots.begin());
@@ -154,8 +154,9 @@ void Agent::Parts::watchPath() {
   readiness_.halt(Halt::OffPath);
   has_news_ = true;
   if (!is_running_) return;
-  failure_ = blocks::Failure{blocks::own_error::kOffPath,
-                             fmt::format("the joints are not where {} leads", walk_.place().name), ""};
+  failure_ =
+      blocks::Failure{blocks::own_error::kOffPath,
+                      fmt::format("the joint angles do not match the path at {}", walk_.place().name), ""};
 }
 
 void Agent::Parts::hear(const CellStatus& state, std::uint64_t number, Instant now) {
@@ -190,7 +191,7 @@ void Agent::Parts::restart(const RobotStatus& mine) {
   if (is_running_ && mine.place != before) {
     failure_ = blocks::Failure{
         blocks::own_error::kRecoveryNeeded,
-        fmt::format("it was recovered at {}, and this goal began at {}", mine.place, before), ""};
+        fmt::format("it was recovered at {}, but this goal started at {}", mine.place, before), ""};
   }
   where_.startAnew();
   readiness_.halt(Halt::None);

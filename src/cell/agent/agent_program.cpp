@@ -26,7 +26,8 @@ std::optional<Failure> Agent::Parts::begin(const blocks::ProgramRequest& request
   if (const auto silent = states_.silence(now)) return Failure{own_error::kSupervisorSilent, *silent, ""};
   const RobotStatus* const mine = states_.mine();
   if (mine != nullptr && mine->session != 0 && mine->session != session_) {
-    return Failure{own_error::kRecoveryNeeded, "the supervisor knows another session: " + mine->text, ""};
+    return Failure{own_error::kRecoveryNeeded,
+                   "the supervisor has another session of this robot: " + mine->text, ""};
   }
   if (mine != nullptr && mine->state == RobotState::Out) {
     return Failure{own_error::kRecoveryNeeded, "it was taken out of the cell", ""};
@@ -44,7 +45,7 @@ std::optional<Failure> Agent::Parts::begin(const blocks::ProgramRequest& request
     return Failure{own_error::kProgramUnknown, *elsewhere, ""};
   }
   if (states_.isFinishing()) {
-    return Failure{own_error::kNotPermitted, "the cell finishes: no robot begins another cycle", ""};
+    return Failure{own_error::kNotPermitted, "the cell is finishing: no robot starts another cycle", ""};
   }
   is_running_ = true;
   is_busy_ = false;
@@ -222,14 +223,15 @@ blocks::ProgramStand Agent::Parts::stand(Instant now) const {
     stand.text = *silent;
   } else if (!isJoined()) {
     stand.text =
-        fmt::format("waits for the supervisor to let {} in{}{}", program().name,
+        fmt::format("waiting until the supervisor admits {}{}{}", program().name,
                     mine != nullptr && !mine->text.empty() ? ": " : "", mine != nullptr ? mine->text : "");
   } else if (walk_.waits() && mine != nullptr) {
     tellWait(*mine, stand);
   } else if (!withheld_.empty()) {
     stand.text = fmt::format("waits at {}: {}", place.name, withheld_);
   } else if (waits_since_ && where_.tracker()) {
-    stand.text = fmt::format("stands at {}, and is not measured where it could go on", place.name);
+    stand.text = fmt::format("at standstill at {}, but the measured joints do not allow it to continue there",
+                             place.name);
   }
   return stand;
 }

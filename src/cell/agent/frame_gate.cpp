@@ -29,7 +29,7 @@ std::string anotherThanInTheProgram(const char* what, const arm::Pose& is, const
   const auto shown = [](const arm::Pose& pose) {
     return fmt::format("[{:.6g}]", fmt::join(arm::toControllerPose(pose), ", "));
   };
-  return fmt::format("the {} is another one than in the cell's program: {}, and there {}", what, shown(is),
+  return fmt::format("the {} differs from the one in the cell's program: {}, expected {}", what, shown(is),
                      shown(has));
 }
 
@@ -37,7 +37,7 @@ std::string anotherThanInTheProgram(const char* what, const arm::Pose& is, const
 
 std::optional<std::string> objectionOf(const StateWatch& states, bool is_joined) {
   const RobotStatus* const mine = states.mine();
-  if (mine == nullptr || !is_joined) return "the supervisor has not let the robot in";
+  if (mine == nullptr || !is_joined) return "the supervisor has not admitted the robot";
   if (states.mode() != SupervisorMode::Running) {
     return fmt::format("the supervisor is {}", toString(states.mode()));
   }
@@ -61,8 +61,8 @@ std::optional<Failure> FrameGate::objectionTo(const command::Departure& departur
   const ArtifactFrame& frame = *permitted;
   if (departure.lines != frame.lines || departure.leaves_node) {
     return Failure{own_error::kNotInArtifact,
-                   fmt::format("\"{}\" is to leave, and \"{}\" is permitted", fmt::join(departure.lines, " "),
-                               fmt::join(frame.lines, " ")),
+                   fmt::format("\"{}\" was about to be sent, but \"{}\" is permitted",
+                               fmt::join(departure.lines, " "), fmt::join(frame.lines, " ")),
                    ""};
   }
   if (auto setting = objectionToSetting(departure, now)) return setting;
@@ -81,19 +81,19 @@ std::optional<Failure> FrameGate::objectionToSetting(const command::Departure& d
   if (!measured_at || now - *measured_at > kOldestStatus) {
     return differs(measured_at
                        ? fmt::format("the robot's status is {:.1f} s old", toSeconds(now - *measured_at))
-                       : "nothing is known of the robot");
+                       : "there is no status of the robot");
   }
   if (!watch.tellsTrouble()) {
     return differs(
-        "the robot's status does not tell MA_Mode, Robot_Error and ESTOP: set its Ethernet Slave to send "
-        "them");
+        "the robot's status does not contain MA_Mode, Robot_Error and ESTOP: add them to its Ethernet Slave");
   }
   if (watch.manualMode()) return differs("the robot is in manual mode");
   if (watch.showsError() || watch.emergencyStop()) return differs("the robot has an error");
   const double allowed = artifact.parameters.speed_override;
   if (watch.speedOverride() > allowed + 1e-9) {
-    return differs(fmt::format("the project speed is {:.0f} %, and the cell was proved for {:.0f} %",
-                               100 * watch.speedOverride(), 100 * allowed));
+    return differs(
+        fmt::format("the project speed is {:.0f} %, but the cell was verified for at most {:.0f} %",
+                    100 * watch.speedOverride(), 100 * allowed));
   }
   const ArtifactFrame& frame = *permitted;
   if (!frame.start) return std::nullopt;
@@ -112,7 +112,7 @@ std::optional<Failure> FrameGate::objectionToStart(const command::Departure& dep
   const auto elsewhere = [](std::string what) {
     return Failure{own_error::kNotAtStepStart, std::move(what), ""};
   };
-  if (!departure.planned || !departure.start) return elsewhere("where it starts is not known");
+  if (!departure.planned || !departure.start) return elsewhere("the start position is unknown");
   const arm::JointVector& start = *departure.start;
   const motion::JointRange planned = tracker->resumesWithin().value_or(motion::JointRange::of(*frame.start));
   const arm::JointVector nearest = start.cwiseMax(planned.lower).cwiseMin(planned.upper);

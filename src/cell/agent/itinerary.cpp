@@ -32,11 +32,11 @@ std::optional<std::string> Itinerary::objectionTo(const RobotProgram& program,
   for (const std::string& name : request.paths) {
     const auto path = pathNamed(program, name);
     if (!path) {
-      return fmt::format("the program of {} has no path \"{}\", but {}", program.name,
+      return fmt::format("the program of {} has no path \"{}\"; it has {}", program.name,
                          foreignText(name, kQuoteLimit), namesOf(program));
     }
     if (before && program.paths[*before].to != program.paths[*path].from) {
-      return fmt::format("path {} begins at {}, and {} ends at {}", name,
+      return fmt::format("path {} starts at {}, but {} ends at {}", name,
                          program.stations[program.paths[*path].from], program.paths[*before].name,
                          program.stations[program.paths[*before].to]);
     }
@@ -45,7 +45,7 @@ std::optional<std::string> Itinerary::objectionTo(const RobotProgram& program,
   if (request.paths.empty() || request.cycles == 1) return std::nullopt;
   const PathProgram& first = program.paths[*pathNamed(program, request.paths.front())];
   if (program.paths[*before].to == first.from) return std::nullopt;
-  return fmt::format("paths for more than one cycle have to come round: {} begins at {}, and {} ends at {}",
+  return fmt::format("paths for more than one cycle must form a loop: {} starts at {}, but {} ends at {}",
                      first.name, program.stations[first.from], program.paths[*before].name,
                      program.stations[program.paths[*before].to]);
 }
@@ -55,11 +55,11 @@ std::optional<std::string> Itinerary::begin(const blocks::ProgramRequest& reques
   std::vector<PathIndex> paths;
   for (const std::string& name : request.paths) paths.push_back(*pathNamed(*program_, name));
   if (!paths.empty() && under_way && paths.front() != *under_way) {
-    return fmt::format("the robot is on path {}, and not on {}", program_->paths[*under_way].name,
+    return fmt::format("the robot is on path {}, not on {}", program_->paths[*under_way].name,
                        request.paths.front());
   }
   if (!paths.empty() && !under_way && program_->paths[paths.front()].from != station) {
-    return fmt::format("the robot is at {}, and {} begins at {}", program_->stations[station],
+    return fmt::format("the robot is at {}, but {} starts at {}", program_->stations[station],
                        request.paths.front(), program_->stations[program_->paths[paths.front()].from]);
   }
   paths_ = std::move(paths);

@@ -113,7 +113,7 @@ Result<std::unique_ptr<MechanismAgent>, std::string> MechanismAgent::of(
   if (found == users.end()) {
     std::vector<std::string> names;
     for (auto user = first; user != users.end(); ++user) names.push_back(user->name);
-    return refuse(fmt::format("the artifact has no mechanism \"{}\", but {}",
+    return refuse(fmt::format("the artifact has no mechanism \"{}\"; it has {}",
                               foreignText(mechanism, kQuoteLimit),
                               names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
   }

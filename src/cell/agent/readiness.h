@@ -51,11 +51,10 @@ class Readiness {
 
   /// For people.
   [[nodiscard]] std::string text() const {
-    if (halt_ == Halt::Stopped) return "its program was stopped on the way";
+    if (halt_ == Halt::Stopped) return "its program was stopped on a path";
     if (halt_ == Halt::Stuck) {
-      return "nothing but a motion of joints goes on from within its step: bring it to a station by hand, "
-             "and "
-             "recover it there";
+      return "only a motion of joints can be continued from within its step: bring it to a station by hand, "
+             "and recover it there";
     }
     return halt_ == Halt::None ? unlinked_ : "";
   }

@@ -17,14 +17,14 @@ void StateWatch::told(std::uint64_t report, Instant now) {
 bool StateWatch::hear(const CellStatus& state, std::uint64_t number, Instant now) {
   if (state.hash != hash_) {
     heard_other_ = now;
-    other_ = fmt::format("the supervisor has another artifact ({}, and this is {})",
+    other_ = fmt::format("the supervisor uses another artifact ({}, this node has {})",
                          foreignText(state.hash.substr(0, 8)), hash_.substr(0, 8));
     return false;
   }
   // One that has none could not read its journal yet.
   if (heard_ && instance_ != 0 && state.instance != instance_) {
     heard_other_ = now;
-    other_ = "there is a second supervisor, or one whose journal is gone";
+    other_ = "there is a second supervisor, or a supervisor that lost its journal";
     return false;
   }
   if (heard_ && std::pair(state.epoch, number) <= std::pair(epoch_, number_)) return false;
@@ -44,9 +44,9 @@ bool StateWatch::hear(const CellStatus& state, std::uint64_t number, Instant now
 
 std::optional<std::string> StateWatch::silence(Instant now) const {
   if (heard_other_ && now - *heard_other_ <= lease_) return other_;
-  if (!heard_) return heard_other_ ? other_ : "no supervisor was heard";
+  if (!heard_) return heard_other_ ? other_ : "no message of a supervisor was received";
   if (now - *heard_ > lease_) {
-    return fmt::format("the supervisor is silent for {:.1f} s", toSeconds(now - *heard_));
+    return fmt::format("no message of the supervisor for {:.1f} s", toSeconds(now - *heard_));
   }
   return std::nullopt;
 }
@@ -54,9 +54,10 @@ std::optional<std::string> StateWatch::silence(Instant now) const {
 std::optional<std::string> StateWatch::objection(Instant now) const {
   if (auto silent = silence(now)) return silent;
   if (!isOfThisSession()) return std::nullopt;  // that it is not let in is said elsewhere
-  if (!known_at_) return "what the supervisor tells knows none of the robot's last reports";
+  if (!known_at_) return "the supervisor has not received the robot's last reports";
   if (now - *known_at_ > lease_) {
-    return fmt::format("what the supervisor tells is {:.1f} s old", toSeconds(now - *known_at_));
+    return fmt::format("the supervisor's last report of the robot is {:.1f} s old",
+                       toSeconds(now - *known_at_));
   }
   return std::nullopt;
 }

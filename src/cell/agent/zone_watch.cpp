@@ -16,7 +16,7 @@ Result<ZoneWatch, std::string> ZoneWatch::of(const Artifact& artifact, RobotInde
   const ArtifactRobot& made = artifact.robots[robot];
   const auto known = arm::ArmModel::knownNames();
   if (std::find(known.begin(), known.end(), made.model) == known.end()) {
-    return refuse("the artifact has a robot of the model " + made.model + ", which is not known here");
+    return refuse("the artifact has a robot of the model " + made.model + ", which is unknown here");
   }
   auto bare =
       RobotBodies::fromUrdf(arm::ArmModel::urdfOf(made.model), made.base, {}, artifact.parameters.body_cell);

@@ -71,7 +71,7 @@ class IndexCheck {
   template <class User>
   void check(const RobotProgram& program, const User& user) const {
     if (user.paths.size() != program.paths.size() || user.stations.size() != program.stations.size()) {
-      wrongInArtifact("paths or stations are not those of the program");
+      wrongInArtifact("paths or stations differ from the program");
     }
     for (const auto& station : user.stations) requireZones(station.zones);
     for (std::size_t path = 0; path < user.paths.size(); ++path) {
@@ -86,19 +86,19 @@ class IndexCheck {
     const std::size_t frames = framesOf(path);
     for (const ZonePlace& place : path.places) {
       if (place.frame >= frames || place.piece >= path.pieces.size()) {
-        wrongInArtifact("a zone step is at no frame or piece");
+        wrongInArtifact("a zone step refers to no frame or piece");
       }
     }
     for (const Hold& hold : path.holds) requireZones({hold.zone});
     for (const auto& piece : path.pieces) {
-      if (frameOf(piece) >= frames) wrongInArtifact("a piece is of no frame");
+      if (frameOf(piece) >= frames) wrongInArtifact("a piece belongs to no frame");
       requireZones(piece.zones);
     }
   }
 
   void requireZones(const std::vector<ZoneIndex>& list) const {
     for (const ZoneIndex zone : list) {
-      if (zone >= zones_) wrongInArtifact("a zone is named that is not there");
+      if (zone >= zones_) wrongInArtifact("a zone is named that does not exist");
     }
   }
 
@@ -114,11 +114,11 @@ void checkIndices(const Artifact& artifact) {
   const auto& programs = artifact.program.robots;
   if (artifact.program.zones.size() != artifact.zones.size() ||
       programs.size() != artifact.robots.size() + artifact.mechanisms.size()) {
-    wrongInArtifact("zones or robots are not those of the program");
+    wrongInArtifact("zones or robots differ from the program");
   }
   for (const Zone& zone : artifact.zones) {
     for (const RobotIndex user : zone.users) {
-      if (user >= programs.size()) wrongInArtifact("a zone has a user that is not there");
+      if (user >= programs.size()) wrongInArtifact("a zone has a user that does not exist");
     }
   }
   const IndexCheck indices(artifact);
@@ -132,9 +132,9 @@ void checkIndices(const Artifact& artifact) {
 }
 
 Artifact artifactFrom(const json& source) {
-  if (source.at("format") != kFormat) wrongInArtifact("it is no artifact of a cell");
+  if (source.at("format") != kFormat) wrongInArtifact("it is not an artifact of a cell");
   if (source.at("version") != kVersion) {
-    wrongInArtifact(fmt::format("it is of version {}, and this program reads version {}: build it anew",
+    wrongInArtifact(fmt::format("it has version {}, but this program reads version {}: rebuild it",
                                 source.at("version").dump(), kVersion));
   }
   Artifact artifact;
@@ -190,12 +190,12 @@ std::string digestOf(std::string_view bytes) {
 
 Result<Artifact, std::string> fromBytes(std::string_view bytes) {
   if (bytes.empty() || bytes.front() != '{') {
-    return refuse(std::string("it is no artifact, which tm_cell build makes of the file of a cell"));
+    return refuse(std::string("it is not an artifact, which tm_cell build makes from a cell file"));
   }
   // What is cut off by one byte has no last line.
   const std::size_t checksum = bytes.size() < 2 ? 0 : bytes.rfind('\n', bytes.size() - 2) + 1;
   if (checksum == 0 || bytes.substr(checksum) != sha256Hex(bytes.substr(0, checksum)) + "\n") {
-    return refuse(std::string("the artifact is damaged: its checksum is wrong. Build it anew"));
+    return refuse(std::string("the artifact is damaged: its checksum is wrong. Rebuild it"));
   }
   const std::size_t source = bytes.find('\n') + 1;
   try {

@@ -58,7 +58,7 @@ void compare(const json& found, const json& made, const std::string& where, Faul
     }
   } else if (!areSame(found, made)) {
     differences.push_back(
-        fmt::format("{} is {}, and its cell makes it {}", where, shown(found), shown(made)));
+        fmt::format("{} is {}, but its cell results in {}", where, shown(found), shown(made)));
   }
 }
 
@@ -66,7 +66,7 @@ Result<Cell, Faults> cellIn(const CellText& source) {
   auto cell = parseCell(source.text, "the cell in it", [&](const std::string& name) {
     const auto found = source.files.find(name);
     if (found != source.files.end()) return Result<std::string, std::string>(found->second);
-    return Result<std::string, std::string>(refuse(std::string("the artifact does not hold it")));
+    return Result<std::string, std::string>(refuse(std::string("the artifact does not contain it")));
   });
   if (cell) return *std::move(cell);
   Faults faults;
@@ -100,7 +100,7 @@ Faults checkPolicy(const Artifact& artifact) {
                        [](const PartSupervisor& part) { return part.policy == Policy::SafeOrder; });
   }();
   if (is_proved) return {};
-  return {fmt::format("its policy is {}: that is not how its supervisors decide", toString(artifact.policy))};
+  return {fmt::format("its policy is {}: its supervisors decide in another way", toString(artifact.policy))};
 }
 
 Faults checkSupervisors(const Artifact& artifact, Faults& report) {
@@ -126,7 +126,7 @@ ArtifactCheck checkArtifact(const Artifact& artifact, unsigned threads) {
   if (!cell) return {cell.error(), {}};
   const std::string hash = hashOf(*cell);
   if (hash != artifact.hash) {
-    return {{fmt::format("its hash is {}, and that of the cell in it {}",
+    return {{fmt::format("its hash is {}, but the hash of the cell in it is {}",
                          foreignText(artifact.hash, kQuoteLimit), hash)},
             {}};
   }

@@ -52,7 +52,7 @@ unsigned digitOf(char c) {
 }
 
 std::string bytesOf(const std::string& hex) {
-  if (hex.size() % 2 != 0) wrongInArtifact("voxels are cut off");
+  if (hex.size() % 2 != 0) wrongInArtifact("voxels are truncated");
   std::string bytes;
   bytes.reserve(hex.size() / 2);
   for (std::size_t at = 0; at < hex.size(); at += 2) {
@@ -126,7 +126,7 @@ json written(const ArtifactPiece& piece) {
 ArtifactPiece pieceFrom(const json& source) {
   ArtifactPiece piece;
   const int kind = source.at("kind").get<int>();
-  if (kind < 0 || kind > static_cast<int>(Piece::Kind::Rest)) wrongInArtifact("a piece is of no kind");
+  if (kind < 0 || kind > static_cast<int>(Piece::Kind::Rest)) wrongInArtifact("a piece has an unknown kind");
   piece.kind = static_cast<Piece::Kind>(kind);
   source.at("frame").get_to(piece.frame);
   source.at("motion").get_to(piece.motion);
@@ -304,7 +304,7 @@ Zone zoneFrom(const json& source) {
   source.at("name").get_to(zone.name);
   source.at("users").get_to(zone.users);
   auto voxels = VoxelSet::fromBytes(bytesOf(source.at("voxels").get<std::string>()));
-  if (!voxels) wrongInArtifact("voxels are none");
+  if (!voxels) wrongInArtifact("voxels are invalid");
   zone.voxels = std::move(*voxels);
   return zone;
 }

@@ -26,13 +26,15 @@ Result<FoundSchedule, std::string> scheduleOf(const Artifact& artifact, const Ce
   const auto objections = automata::SafeOrder::objectionsTo(model.problem);
   if (!has_table && !objections.empty()) {
     return refuse(objections.front() +
-                  ", and there is no one table for all robots: schedule a cell of those alone that share "
-                  "zones");
+                  ", and there is no single table for all robots: schedule a cell with only the robots that "
+                  "share zones");
   }
   auto found =
       has_table ? findSchedule(automata::Supervisor({model.problem, parts.front().frontier}), cycles, limits)
                 : findSchedule(automata::SafeOrder(model.problem), cycles, limits);
-  if (found && !found->best) return refuse(std::string("none was found in that time: allow more"));
+  if (found && !found->best) {
+    return refuse(std::string("no schedule was found in that time: allow more time"));
+  }
   return found;
 }
 

@@ -25,7 +25,7 @@ std::vector<std::string> linesOf(const std::vector<CutReport>& cuts) {
 
 std::vector<std::string> linesOf(const Soundness& soundness, double margin) {
   std::vector<std::string> lines{
-      fmt::format("{} pairs of pieces that no zone keeps apart; least distance {:.1f} mm, margin {:.1f} mm",
+      fmt::format("{} pairs of pieces that no zone separates; least distance {:.1f} mm, margin {:.1f} mm",
                   soundness.pairs, mToMm(soundness.least), mToMm(margin))};
   if (!soundness.worst.empty()) lines.push_back("the worst: " + soundness.worst);
   return lines;
@@ -101,7 +101,7 @@ std::vector<std::string> CellBuild::reportSweep() const {
                                 claim.all.count(),
                                 edge * edge * edge * static_cast<double>(claim.all.count())));
   }
-  lines.push_back(fmt::format("a claimed point is at most {:.1f} mm from a body that is there at some moment",
+  lines.push_back(fmt::format("a claimed point is at most {:.1f} mm from a position that a body reaches",
                               mToMm(claimError(cell_.parameters))));
   return lines;
 }
@@ -116,10 +116,10 @@ std::vector<std::string> CellBuild::reportZones() const {
   }
   for (const RobotProgram& robot : held_.program.robots) {
     for (const PathProgram& path : robot.paths) {
-      std::string line =
-          fmt::format("{} {}{}:", robot.name, path.name, path.uncontrollable_go ? " (begins by itself)" : "");
+      std::string line = fmt::format("{} {}{}:", robot.name, path.name,
+                                     path.uncontrollable_go ? " (starts automatically)" : "");
       for (const ZoneStep& step : path.steps) {
-        line += step.uncontrollable ? " enter by itself" : step.books ? " book" : " release";
+        line += step.uncontrollable ? " enter automatically" : step.books ? " book" : " release";
         for (const ZoneIndex zone : step.zones) line += " " + held_.program.zones[zone];
         line += ",";
       }
@@ -139,31 +139,31 @@ std::vector<std::string> CellBuild::reportSupervisors() const {
       if (automaton < model_.robots()) robots.push_back(model_.program.robots[automaton].name);
     }
     if (part.policy != Policy::Supervisor) {
-      lines.push_back(fmt::format("{}: {}{}", fmt::join(robots, ", "), toString(part.policy),
-                                  policy_ == Policy::Supervisor
-                                      ? fmt::format(" decides without a table, and refuses a little more "
-                                                    "than a supervisor would: that has more "
-                                                    "than max_states = {} states",
-                                                    cell_.parameters.max_states)
-                                      : std::string()));
+      lines.push_back(
+          fmt::format("{}: {}{}", fmt::join(robots, ", "), toString(part.policy),
+                      policy_ == Policy::Supervisor
+                          ? fmt::format(" decides without a table, and refuses slightly more than a "
+                                        "supervisor: a supervisor has more than max_states = {} states",
+                                        cell_.parameters.max_states)
+                          : std::string()));
       continue;
     }
     lines.push_back(
-        fmt::format("{}: {} states, {} transitions{}; keeps out of {} states; refuses {} by zones, {} beyond",
+        fmt::format("{}: {} states, {} transitions{}; avoids {} states; refuses {} by zones, {} beyond",
                     fmt::join(robots, ", "), part.counts.states, part.counts.transitions,
                     part.is_compressed ? " (compressed)" : "", part.counts.frontier,
                     part.counts.refused_by_spec, part.counts.refused_beyond_spec));
     if (part.never.empty()) continue;
-    lines.push_back(
-        fmt::format("  {} never happens: paths with it are never taken, as there would be no way home",
-                    fmt::join(part.never, ", ")));
+    lines.push_back(fmt::format(
+        "  {} never happens: paths that contain it are never taken, because no sequence would lead home",
+        fmt::join(part.never, ", ")));
   }
   for (const RobotProgram& robot : model_.program.robots) {
     if (wayHome(robot)) continue;
-    lines.push_back(fmt::format(
-        "{}: the first path of each station does not lead back home: without `paths` it never ends a cycle, "
-        "unless somebody is in its way; list another path first",
-        robot.name));
+    lines.push_back(
+        fmt::format("{}: the first path of each station does not lead back home: without `paths` it never "
+                    "ends a cycle, unless another robot blocks its path; list another path first",
+                    robot.name));
   }
   lines.push_back(fmt::format("{} bytes", bytes_.size()));
   return lines;

@@ -115,7 +115,7 @@ Faults CellBuild::verify() {
   Faults faults;
   for (const auto& part : verified_) faults.insert(faults.end(), part.faults.begin(), part.faults.end());
   if (toBytes(*again) != bytes_) {
-    faults.emplace_back("the artifact is not the same when it is read and written");
+    faults.emplace_back("the artifact changes when it is read and written again");
   }
   return faults;
 }

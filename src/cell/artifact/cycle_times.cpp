@@ -46,8 +46,8 @@ class CycleWriter {
       }
       const auto& of_mechanism = artifact_.mechanisms[robot_ - artifact_.robots.size()].paths[path];
       if (!of_mechanism.duration) {
-        return refuse(fmt::format("{}: how long {} takes is not known: give it a duration in the cell file",
-                                  program.name, program.paths[path].name));
+        return refuse(fmt::format("{}: the duration of {} is unknown: set it in the cell file", program.name,
+                                  program.paths[path].name));
       }
       addPath(path, of_mechanism);
     }

@@ -17,8 +17,8 @@ Result<PartsByName, BodyRefusal> byName(const std::vector<CarriedPart>& parts) {
           "A part is named \"{}\", but that is the flange itself. Give it another name.", part.name)});
     }
     if (!named.emplace(part.name, &part).second) {
-      return refuse(BodyRefusal{
-          fmt::format("Two parts are named \"{}\". Give each part a name of its own.", part.name)});
+      return refuse(
+          BodyRefusal{fmt::format("Two parts are named \"{}\". Give each part its own name.", part.name)});
     }
   }
   return named;
@@ -31,13 +31,13 @@ Result<std::vector<const CarriedPart*>, BodyRefusal> waysToFlange(const PartsByN
   while (way.back()->on != kOnFlange) {
     const auto carrier = parts.find(way.back()->on);
     if (carrier == parts.end()) {
-      return refuse(BodyRefusal{fmt::format(
-          "The part \"{}\" is on \"{}\", but there is no such part. Put it on \"{}\" or on a part.",
-          way.back()->name, way.back()->on, kOnFlange)});
+      return refuse(BodyRefusal{
+          fmt::format("The part \"{}\" is on \"{}\", which does not exist. Put it on \"{}\" or on a part.",
+                      way.back()->name, way.back()->on, kOnFlange)});
     }
     if (way.size() == parts.size()) {
       return refuse(BodyRefusal{fmt::format(
-          "The part \"{}\" is in the end on itself, by way of \"{}\". Put one of these parts on \"{}\".",
+          "The part \"{}\" is mounted on itself, through \"{}\". Put one of these parts on \"{}\".",
           part.name, carrier->first, kOnFlange)});
     }
     way.push_back(carrier->second);

@@ -20,10 +20,10 @@ bool isRadius(double radius) {
 }
 
 BodyRefusal wrongLengths(const char* shape) {
-  return {fmt::format(
-      "A {} has a length that is not one: radii must be finite and above 0, lengths finite and not negative. "
-      "Correct it.",
-      shape)};
+  return {
+      fmt::format("A {} has an invalid length: radii must be finite and above 0, lengths finite and not "
+                  "negative. Correct it.",
+                  shape)};
 }
 
 /// How a cross-section is cut.
@@ -64,12 +64,11 @@ Result<Capsules, BodyRefusal> coverOf(const BoxShape& box, double body_cell) {
   const Index second = (along + 2) % 3;
   const Cut cut = cutOf(size[first], size[second], body_cell);
   if (cut.cells() > kMostCapsulesOfBox) {
-    return refuse(
-        BodyRefusal{fmt::format("A box of {:.0f} x {:.0f} x {:.0f} mm needs {:.0f} capsules at a body_cell "
-                                "of {:.1f} mm, but {:.0f} are "
-                                "allowed. Make body_cell larger, or cover less by boxes.",
-                                mToMm(size.x()), mToMm(size.y()), mToMm(size.z()), cut.cells(),
-                                mToMm(body_cell), kMostCapsulesOfBox)});
+    return refuse(BodyRefusal{
+        fmt::format("A box of {:.0f} x {:.0f} x {:.0f} mm needs {:.0f} capsules at a body_cell of {:.1f} mm, "
+                    "but {:.0f} are allowed. Make body_cell larger, or use smaller boxes.",
+                    mToMm(size.x()), mToMm(size.y()), mToMm(size.z()), cut.cells(), mToMm(body_cell),
+                    kMostCapsulesOfBox)});
   }
   Capsules capsules;
   const auto across = static_cast<std::size_t>(cut.across);

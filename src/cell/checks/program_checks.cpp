@@ -104,7 +104,7 @@ class Walk {
                   {"to",
                    fmt::format("is {}, where the robot then {}; {} it {}", path.to, standing.inWords(),
                                there->second.way, there->second.inWords()),
-                   "the same parts and frames at a station, whichever way the robot came",
+                   "the same parts and frames at a station, on every path to it",
                    "give it another station, with the same joints, for the other case"});
     }
     return is_new;
@@ -156,7 +156,7 @@ class Walk {
 void checkPath(const Path& path, const Robot& robot, const std::string& field, FaultList& faults) {
   if (path.steps.empty()) {
     faults.add(path.place, field,
-               {"steps", "are none", "at least one step", "add a step that moves to " + path.to});
+               {"steps", "has no entries", "at least one step", "add a step that moves to " + path.to});
     return;
   }
   const auto last = std::find_if(path.steps.rbegin(), path.steps.rend(), moves);
@@ -172,8 +172,8 @@ void checkPath(const Path& path, const Robot& robot, const std::string& field, F
   const auto index = static_cast<std::size_t>(path.steps.rend() - last) - 1;
   if (blends(*last)) {
     faults.add(last->place, stepField(field, index),
-               {"blending_enable", "blends at the end of a path, so the robot would not stand at its station",
-                "false for the last motion", "take it away, or make one path of two"});
+               {"blending_enable", "blends at the end of a path, so the robot would not stop at its station",
+                "false for the last motion", "remove it, or split the path"});
   }
   checkEnd(*last, robot, end, stepField(field, index), faults);
 }

@@ -31,9 +31,10 @@ void checkNames(const std::vector<Link>& links, const std::string& field, FaultL
   for (std::size_t i = 0; i < links.size(); ++i) {
     const auto [first, is_new] = seen.emplace(links[i].path, links[i].place);
     if (is_new) continue;
-    faults.add(links[i].place, fmt::format("{}[{}]", field, i),
-               {"path", fmt::format("is {}, as the path of line {}", links[i].path, first->second.line),
-                "a name of its own for each path", "rename one of them"});
+    faults.add(
+        links[i].place, fmt::format("{}[{}]", field, i),
+        {"path", fmt::format("is {}, the same as the path of line {}", links[i].path, first->second.line),
+         "a different name for each path", "rename one of them"});
   }
 }
 

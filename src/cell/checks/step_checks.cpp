@@ -41,25 +41,24 @@ std::string whyNot(const ScriptCommand& command) {
   using namespace script;
   const auto named = [](const auto& frame) { return std::holds_alternative<std::string>(frame); };
   return std::visit(
-      Overloaded{[](const ContinueVJog&) { return "sets velocities, which no plan bounds"; },
-                 [](const ContinueVLine&) { return "sets velocities, which no plan bounds"; },
-                 [](const SetContinueVJog&) { return "sets velocities, which no plan bounds"; },
-                 [](const SetContinueVLine&) { return "sets velocities, which no plan bounds"; },
-                 [](const StopContinueVmode&) { return "sets velocities, which no plan bounds"; },
-                 [](const SuspendContinueVmode&) { return "sets velocities, which no plan bounds"; },
-                 [](const ScriptExit&) { return "leaves the Listen node, behind which no permit counts"; },
-                 [](const Pause&) { return "holds or clears what permits were given for"; },
-                 [](const Resume&) { return "holds or clears what permits were given for"; },
-                 [](const PvtPause&) { return "holds or clears what permits were given for"; },
-                 [](const PvtResume&) { return "holds or clears what permits were given for"; },
-                 [](const StopAndClearBuffer&) { return "holds or clears what permits were given for"; },
+      Overloaded{[](const ContinueVJog&) { return "sets velocities, which cannot be planned"; },
+                 [](const ContinueVLine&) { return "sets velocities, which cannot be planned"; },
+                 [](const SetContinueVJog&) { return "sets velocities, which cannot be planned"; },
+                 [](const SetContinueVLine&) { return "sets velocities, which cannot be planned"; },
+                 [](const StopContinueVmode&) { return "sets velocities, which cannot be planned"; },
+                 [](const SuspendContinueVmode&) { return "sets velocities, which cannot be planned"; },
+                 [](const ScriptExit&) { return "leaves the Listen node, after which no permit is valid"; },
+                 [](const Pause&) { return "pauses or clears motions that were permitted"; },
+                 [](const Resume&) { return "pauses or clears motions that were permitted"; },
+                 [](const PvtPause&) { return "pauses or clears motions that were permitted"; },
+                 [](const PvtResume&) { return "pauses or clears motions that were permitted"; },
+                 [](const StopAndClearBuffer&) { return "pauses or clears motions that were permitted"; },
                  [&named](const ChangeBase& change) {
-                   return named(change.base) ? "names a base of the project, whose value is not known here"
+                   return named(change.base) ? "names a base of the project, whose value is unknown here"
                                              : "";
                  },
                  [&named](const ChangeTcp& change) {
-                   return named(change.tcp) ? "names a TCP of the project, whose value is not known here"
-                                            : "";
+                   return named(change.tcp) ? "names a TCP of the project, whose value is unknown here" : "";
                  },
                  [](const auto& /*any other*/) { return ""; }},
       command);
@@ -70,13 +69,14 @@ void checkScript(const RunScriptGoal& goal, const Step& step, const std::string&
   const auto order = orderOf(goal, arm::Pose::Identity());
   if (traitsOf(goal).exits_node) {
     faults.add(step.place, field,
-               {"script", "leaves the Listen node, behind which no permit counts",
-                "scripts without ScriptExit()", "take ScriptExit() away"});
+               {"script", "leaves the Listen node, after which no permit is valid",
+                "scripts without ScriptExit()", "remove ScriptExit()"});
   }
   if (!order.commands) {
     faults.add(step.place, field,
-               {"script", "cannot be understood before it runs", "lines whose meaning their text alone tells",
-                "write values in place of what only the controller knows, and no velocities"});
+               {"script", "cannot be interpreted before it runs",
+                "lines that can be interpreted from their text alone",
+                "write values instead of what only the controller knows, and no velocities"});
     return;
   }
   for (const ScriptCommand& command : *order.commands) {
@@ -84,7 +84,7 @@ void checkScript(const RunScriptGoal& goal, const Step& step, const std::string&
     if (why.empty()) continue;
     faults.add(step.place, field,
                {"script", fmt::format("has {}, which {}", foreignText(toText(command), kQuoteLimit), why),
-                "motions that can be planned, frames by value", "take it away, or write values"});
+                "motions that can be planned, frames by value", "remove it, or write values"});
   }
 }
 
@@ -98,8 +98,8 @@ void checkStand(const Step& step, const std::string& field, FaultList& faults) {
   for (const auto& [key, is_there] : parts) {
     if (!is_there || !blends(step)) continue;
     faults.add(step.place, field,
-               {key, "stands at a step that blends into the next motion",
-                "at a step whose target the robot stands at", "take blending away from the step"});
+               {key, "is at a step that blends into the next motion",
+                "at a step at whose target the robot stops", "remove blending from the step"});
   }
   if (!isDwell(step.dwell)) {
     faults.add(step.place, field, {"dwell", fmt::format("is {} s", step.dwell), kDwellRange, ""});
@@ -135,8 +135,8 @@ void checkStep(const Step& step, const std::string& field, FaultList& faults) {
   if (const auto* goal = std::get_if<RunScriptGoal>(&step.goal)) checkScript(*goal, step, field, faults);
   if (std::visit([](const auto& goal) { return exits(goal); }, step.goal)) {
     faults.add(step.place, field,
-               {"exit_node", "leaves the Listen node, behind which no permit counts", "false, or nothing",
-                "take it away"});
+               {"exit_node", "leaves the Listen node, after which no permit is valid", "false, or nothing",
+                "remove it"});
   }
   if (step.output) checkGoal(*step.output, step, joined(field, "output"), faults);
   if (step.input) checkGoal(*step.input, step, joined(field, "input"), faults);

@@ -108,7 +108,8 @@ std::optional<Fault> tooLarge(const Cell& cell, std::size_t pieces, double memor
       fmt::format("make claims of {:.0f} MiB: {} pieces with step_bound {:g} mm, in voxels of {:g} mm",
                   memory / kMiB, pieces, mToMm(cell.parameters.step_bound), mToMm(cell.parameters.voxel)),
       fmt::format("{:.0f} MiB", static_cast<double>(kMostClaimMemory) / kMiB),
-      fmt::format("make one of them larger: step_bound {:.0f} mm or voxel {:.0f} mm would do", bound, voxel)};
+      fmt::format("make one of them larger: step_bound {:.0f} mm or voxel {:.0f} mm is sufficient", bound,
+                  voxel)};
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ Result<CoverGrid, std::string> gridAround(const std::vector<Triangle>& triangles
   }
   if (cells > static_cast<double>(kMostCoverCells)) {
     return refuse(
-        fmt::format("{:.0f} cells of {:g} mm are needed, and at most {} are allowed: choose larger ones",
+        fmt::format("{:.0f} cells of {:g} mm are needed, but at most {} are allowed: choose larger ones",
                     cells, edge, kMostCoverCells));
   }
   return CoverGrid(bounds.lower, size, edge);

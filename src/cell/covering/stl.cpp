@@ -37,7 +37,7 @@ double floatAt(std::string_view bytes, std::size_t at) {
 
 std::string tooMany(std::size_t count) {
   return fmt::format(
-      "it has {} triangles, and at most {} are allowed: let the CAD program write a coarser mesh", count,
+      "it has {} triangles, but at most {} are allowed: export a coarser mesh from the CAD program", count,
       kMostTriangles);
 }
 
@@ -49,7 +49,8 @@ Triangles triangles(std::vector<Triangle> found) {
   if (found.empty()) return refuse(std::string("it has no triangles: export the mesh as STL"));
   for (std::size_t index = 0; index < found.size(); ++index) {
     if (isFinite(found[index])) continue;
-    return refuse(fmt::format("triangle {} has a corner that is no point: repair the mesh", index + 1));
+    return refuse(
+        fmt::format("triangle {} has a corner with invalid coordinates: repair the mesh", index + 1));
   }
   return found;
 }
@@ -103,7 +104,7 @@ Triangles fromText(std::string_view bytes) {
   Words words(bytes);
   for (auto word = words.next(); word; word = words.next()) {
     if (*word == "endfacet" && corner != 0) {
-      return refuse(fmt::format("triangle {} has {} corners, and not 3: let the CAD program write triangles",
+      return refuse(fmt::format("triangle {} has {} corners, not 3: export triangles from the CAD program",
                                 found.size() + 1, corner));
     }
     if (*word != "vertex") continue;
@@ -121,7 +122,9 @@ Triangles fromText(std::string_view bytes) {
     found.push_back(triangle);
     if (found.size() > kMostTriangles) return refuse(tooMany(found.size()));
   }
-  if (corner != 0) return refuse(std::string("it ends within a triangle: it is cut off. Write it anew"));
+  if (corner != 0) {
+    return refuse(std::string("it ends within a triangle: the file is truncated. Write it again"));
+  }
   return triangles(std::move(found));
 }
 
@@ -136,10 +139,10 @@ Result<std::vector<Triangle>, std::string> trianglesOfStl(std::string_view bytes
   }
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
   if (begin != std::string_view::npos && bytes.substr(begin, kText.size()) == kText) return fromText(bytes);
-  if (bytes.size() < kHeader) return refuse(std::string("it is no STL file: export the mesh as STL"));
+  if (bytes.size() < kHeader) return refuse(std::string("it is not an STL file: export the mesh as STL"));
   return refuse(
-      fmt::format("it is {} bytes long, and a binary STL file of {} triangles has {}: it is cut off, or no "
-                  "STL file. Export the mesh as STL anew",
+      fmt::format("it is {} bytes long, but a binary STL file of {} triangles has {}: it is truncated, or "
+                  "not an STL file. Export the mesh as STL again",
                   bytes.size(), countIn(bytes), kHeader + countIn(bytes) * kBytesPerTriangle));
 }
 

@@ -81,8 +81,8 @@ PartRules rulesOfPart(const CellModel& model, const PartSupervisor& supervisor, 
   found.frontier = supervisor.frontier.size();
   const auto rules = automata::frontierRulesOf(compiled, max_states);
   if (!rules) {
-    found.faults.push_back(
-        fmt::format("there are more than {} states: no rules are found. Raise max_states", max_states));
+    found.faults.push_back(fmt::format(
+        "there are more than {} states: the rules were not determined. Raise max_states", max_states));
     return found;
   }
   const Words words(model, supervisor, problem);

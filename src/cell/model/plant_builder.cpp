@@ -46,7 +46,7 @@ bool PlantBuilder::areIndicesInRange() {
   }
   if (!fits) {
     faults_.push_back(
-        fmt::format("{}: its program names a station or zone that is not there", program_.name));
+        fmt::format("{}: its program names a station or zone that does not exist", program_.name));
   }
   return fits;
 }
@@ -71,7 +71,7 @@ void PlantBuilder::findHoldsOfStations() {
         known = held;
         open.push_back(path.to);
       } else if (*known != held) {
-        faults_.push_back(fmt::format("{}: at {} it holds {} when it comes by {}, and {} otherwise",
+        faults_.push_back(fmt::format("{}: at {} it holds {} if it arrives by {}, but {} otherwise",
                                       program_.name, program_.stations[path.to], zoneNames(held), path.name,
                                       zoneNames(*known)));
       }
@@ -86,7 +86,7 @@ bool PlantBuilder::applyStep(const PathProgram& path, const ZoneStep& step, Zone
     if (is_held == step.books) {
       faults_.push_back(fmt::format("{}: on {} it {} {}, which it {}", program_.name, path.name,
                                     step.books ? "books" : "releases", model_.program.zones[zone],
-                                    step.books ? "holds already" : "does not hold"));
+                                    step.books ? "already holds" : "does not hold"));
       return false;
     }
     if (step.books) {
@@ -184,7 +184,7 @@ void PlantBuilder::checkRoundTrips() {
   for (std::size_t station = 0; station < program_.stations.size(); ++station) {
     if (out[station] && back[station]) continue;
     faults_.push_back(
-        fmt::format("{}: no paths lead {} {}: each station needs a way from home and a way back",
+        fmt::format("{}: no paths lead {} {}: each station needs a path from home and a path back",
                     program_.name, out[station] ? "home from" : "from home to", program_.stations[station]));
   }
 }

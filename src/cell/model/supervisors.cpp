@@ -24,10 +24,9 @@ std::string conflictWords(const automata::StateSpace& space, const automata::Pro
     names.push_back(problem.events[event].name);
   }
   return fmt::format(
-      "no supervisor can keep the robots out of a conflict that cannot be refused; the shortest way into "
-      "one: "
-      "{}. Let what happens there be controllable, or change the programs",
-      names.empty() ? "the beginning" : fmt::format("{}", fmt::join(names, ", ")));
+      "no supervisor can keep the robots out of a conflict that cannot be refused; the shortest sequence "
+      "into one: {}. Make the events there controllable, or change the programs",
+      names.empty() ? "the start" : fmt::format("{}", fmt::join(names, ", ")));
 }
 
 /// Of the problem's events those that never happen in the automaton.
@@ -79,13 +78,12 @@ Result<PartSupervisor, std::string> supervisorOf(const CellModel& model, const a
   if (found.policy == Policy::SafeOrder) {
     const auto objections = automata::SafeOrder::objectionsTo(part.problem);
     if (!objections.empty()) {
-      return refuse(fmt::format(
-          "{}, so that safe_order cannot decide{}", objections.front(),
-          policy == Policy::Supervisor
-              ? fmt::format("; and a supervisor has more than max_states = {} states. Raise max_states, "
-                            "or let that event be controllable",
-                            max_states)
-              : std::string()));
+      return refuse(fmt::format("{}, so that safe_order cannot decide{}", objections.front(),
+                                policy == Policy::Supervisor
+                                    ? fmt::format("; and a supervisor has more than max_states = {} states. "
+                                                  "Raise max_states, or make that event controllable",
+                                                  max_states)
+                                    : std::string()));
     }
   }
   return found;
@@ -125,7 +123,7 @@ std::vector<automata::Verification> verifyParts(const CellModel& model,
   for (const PartSupervisor& supervisor : parts) {
     const automata::PartOfProblem part = partOf(model, supervisor);
     if (part.automata.empty()) {
-      found.push_back({{"a supervisor is of robots and zones that are no part of the cell"}, {}});
+      found.push_back({{"a supervisor has robots and zones that do not belong to the cell"}, {}});
     } else if (supervisor.policy == Policy::Supervisor) {
       const PartProblem problem(model, part, supervisor.is_compressed);
       found.push_back(automata::verify({problem.problem(), supervisor.frontier}, supervisor.fingerprint,
@@ -133,8 +131,7 @@ std::vector<automata::Verification> verifyParts(const CellModel& model,
     } else if (supervisor.policy == Policy::SafeOrder) {
       found.push_back({automata::SafeOrder::objectionsTo(part.problem), {}});
     } else {
-      found.push_back(
-          {{fmt::format("the policy {} is proved to do nothing", toString(supervisor.policy))}, {}});
+      found.push_back({{fmt::format("the policy {} guarantees nothing", toString(supervisor.policy))}, {}});
     }
   }
   if (automata::independentParts(model.problem).size() != parts.size()) {

@@ -41,7 +41,7 @@ void addZone(CellModel& model, ZoneIndex zone, std::vector<std::string>& faults)
   for (RobotIndex robot = 0; robot < model.robots(); ++robot) {
     if (!has(model.program.robots[robot].held_at_home, zone)) continue;
     if (spec.initial != 0) {
-      faults.push_back(fmt::format("{} and {} both hold {} at home: let one of them rest elsewhere",
+      faults.push_back(fmt::format("{} and {} both hold {} at home: choose another home for one of them",
                                    spec.states[spec.initial], model.program.robots[robot].name, spec.name));
     }
     spec.initial = owner_state(robot);

@@ -20,7 +20,7 @@ void Alarm::ended(Breach breach) {
 
 void Alarm::raise(const std::string& why, Instant now) {
   if (mode_ == MonitorSettings::Mode::Warn) {
-    warn(why + " Nothing is stopped, as the monitor only warns.");
+    warn(why + " Nothing is stopped, because the monitor only warns.");
     return;
   }
   if (!why_) why_ = why;
@@ -29,7 +29,7 @@ void Alarm::raise(const std::string& why, Instant now) {
 
 void Alarm::moving(Instant now) {
   if (!why_ || now - stopped_ < kRepeat) return;
-  stopAll("One moves although all are to stand until the monitor is reset. " + *why_, now);
+  stopAll("Something moves although all must be at standstill until the monitor is reset. " + *why_, now);
 }
 
 void Alarm::stopAll(std::string why, Instant now) {

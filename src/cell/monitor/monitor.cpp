@@ -16,21 +16,21 @@ std::string wrongIn(const MonitorSettings& settings) {
   for (const double value :
        {settings.margin, stop_distance, settings.standing_speed, settings.exact_within}) {
     if (!std::isfinite(value) || value < 0) {
-      return fmt::format("A setting of the monitor is {}; all have to be finite, and none negative.", value);
+      return fmt::format("A setting of the monitor is {}; all must be finite, and none negative.", value);
     }
   }
   if (stop_distance > settings.margin) {
-    return fmt::format("The stop distance is {} m, but it may be no more than the margin, {} m.",
-                       stop_distance, settings.margin);
+    return fmt::format("The stop distance is {} m, but must be at most the margin, {} m.", stop_distance,
+                       settings.margin);
   }
   if (settings.exact_within < settings.margin) {
-    return fmt::format("Distances are exact within {} m, but that has to be at least the margin, {} m.",
+    return fmt::format("Distances are exact within {} m, but must be exact within at least the margin, {} m.",
                        settings.exact_within, settings.margin);
   }
   if (settings.stale_after <= Duration::zero() || settings.period <= Duration::zero() ||
       settings.prompt <= Duration::zero()) {
-    return "A time of the monitor is none; the ages of stale and of prompt data, and the period, have to be "
-           "above 0.";
+    return "A time of the monitor is not valid; the ages of stale and of prompt data, and the period, must "
+           "be above 0.";
   }
   return "";
 }
@@ -41,15 +41,15 @@ std::string wrongWith(const std::vector<WatchedRobot>& robots, const std::vector
   std::set<std::string> names;
   const auto check = [&names](const std::string& name, bool bodies) -> std::string {
     if (!names.insert(name).second) {
-      return fmt::format("Two things in the cell are named \"{}\". Give each a name of its own.", name);
+      return fmt::format("Two objects in the cell are named \"{}\". Give each its own name.", name);
     }
-    return bodies ? "" : fmt::format("\"{}\" has no bodies. Leave it out, or say its shapes.", name);
+    return bodies ? "" : fmt::format("\"{}\" has no bodies. Remove it, or define its shapes.", name);
   };
   for (const WatchedRobot& robot : robots) {
     std::set<std::string> parts;
     for (const FlangeCapsules& part : robot.may_carry) {
       if (parts.insert(part.name).second) continue;
-      return fmt::format("\"{}\" may carry two parts that are named \"{}\". Give each a name of its own.",
+      return fmt::format("\"{}\" may carry two parts that are named \"{}\". Give each its own name.",
                          robot.name, part.name);
     }
     std::string wrong = check(robot.name, !robot.bodies.bodies().empty());

@@ -205,9 +205,11 @@ ResetAnswer Monitor::Parts::reset(Instant now) {
   tick(now);
   const std::vector<std::string> reasons = causes();
   if (!latched()) return {true, "Nothing was stopped, so there is nothing to reset."};
-  if (!reasons.empty()) return {false, "It cannot be reset while its cause lasts. " + reasons.front()};
+  if (!reasons.empty()) {
+    return {false, "The monitor cannot be reset while the cause persists. " + reasons.front()};
+  }
   alarm_.reset();
-  return {true, "It is reset, and all may move again."};
+  return {true, "The monitor is reset, and all may move again."};
 }
 
 std::vector<Breach> Monitor::Parts::breaches() const {

@@ -62,15 +62,15 @@ std::string Monitor::Parts::bodyName(std::size_t thing, std::size_t body) const 
 
 std::string Monitor::Parts::sentenceOf(const PairWatch& pair, double limit, const char* limit_name) const {
   return fmt::format(
-      "{} ({}) and {} ({}) are {:.1f} mm from each other, less {:.1f} mm for the age of the "
-      "data: below the {} of {:.1f} mm.",
+      "{} ({}) and {} ({}) are {:.1f} mm apart, less {:.1f} mm for the age of the data: below the {} of "
+      "{:.1f} mm.",
       nameOf(pair.first), pair.bodies.first, nameOf(pair.second), pair.bodies.second,
       mToMm(pair.gap.distance), mToMm(pair.gap.uncertainty()), limit_name, mToMm(limit));
 }
 
 std::string Monitor::Parts::staleSentence(const Mover& mover) const {
-  return fmt::format("{} moved when it was heard last, and that was measured more than {:.3g} s ago.",
-                     mover.name, toSeconds(settings_.stale_after));
+  return fmt::format("{} moved in its last report, which was measured more than {:.3g} s ago.", mover.name,
+                     toSeconds(settings_.stale_after));
 }
 
 std::vector<std::string> Monitor::Parts::causes() const {
@@ -86,7 +86,7 @@ std::vector<std::string> Monitor::Parts::causes() const {
 
 std::string Monitor::Parts::diagnosis() const {
   if (latched()) {
-    return "All were stopped, and are to stand until the monitor is reset. " + alarm_.why();
+    return "All were stopped, and must stay at standstill until the monitor is reset. " + alarm_.why();
   }
   const std::vector<std::string> reasons = causes();
   if (!reasons.empty()) return reasons.front();
@@ -94,7 +94,7 @@ std::string Monitor::Parts::diagnosis() const {
     if (pair.breach) return sentenceOf(pair, settings_.margin, "margin");
   }
   for (const Mover& mover : movers_) {
-    if (!mover.track->heard()) return fmt::format("{} was not heard yet.", mover.name);
+    if (!mover.track->heard()) return fmt::format("{} has not reported yet.", mover.name);
   }
   return closest();
 }
@@ -103,8 +103,8 @@ std::string Monitor::Parts::closest() const {
   const auto closest =
       std::min_element(pairs_.begin(), pairs_.end(),
                        [](const PairWatch& a, const PairWatch& b) { return a.gap.lowest < b.gap.lowest; });
-  if (closest == pairs_.end()) return "There is nothing that could come close to anything.";
-  if (!closest->known) return "Nothing was looked at yet.";
+  if (closest == pairs_.end()) return "No two objects of the cell can come close to each other.";
+  if (!closest->known) return "No distance was calculated yet.";
   return fmt::format("The closest are {} and {}: {}{:.1f} mm.", nameOf(closest->first),
                      nameOf(closest->second), closest->gap.exact ? "" : "at least ",
                      mToMm(closest->gap.distance));

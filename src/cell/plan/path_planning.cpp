@@ -74,13 +74,12 @@ Standing PathPlanning::end() const {
 void PathPlanning::planStep(const Step& step, std::size_t index, PlannedPath& path) {
   step_ = index;
   const auto objection = std::visit([](const auto& goal) { return objectionOfBlock(goal); }, step.goal);
-  if (objection) return fault(step.place, "", *objection, "write a step that its block takes");
+  if (objection) return fault(step.place, "", *objection, "write a step that its block accepts");
   const arm::Pose base = separate_.end().base.value_or(arm::Pose::Identity());
   const blocks::Order order =
       std::visit([&](const auto& goal) { return blocks::orderOf(goal, base); }, step.goal);
   if (!order.commands) {
-    return fault(step.place, "", "has lines of which this layer does not know what they do",
-                 "use commands that can be planned");
+    return fault(step.place, "", "has lines whose effect is unknown", "use commands that can be planned");
   }
   PlannedFrame frame;
   frame.step = index;
@@ -102,8 +101,9 @@ void PathPlanning::planStep(const Step& step, std::size_t index, PlannedPath& pa
 
 bool PathPlanning::planCommand(const script::ScriptCommand& command, const Step& step, PlannedFrame& frame) {
   if (std::visit([](const auto& one) { return isPassedAsPLine(one); }, command)) {
-    fault(step.place, "", "has a PLine that blends: what it rounds depends on the speed, and is not swept",
-          "let it blend by 0, so that it stops, or use Line");
+    fault(step.place, "",
+          "has a PLine that blends: its rounded corner depends on the speed, and is not swept",
+          "set its blending to 0, so that it stops, or use Line");
     return false;
   }
   const auto planned = separate_.append(command, separate_.duration() + kLate);
@@ -113,8 +113,8 @@ bool PathPlanning::planCommand(const script::ScriptCommand& command, const Step&
   }
   const bool is_known = planned->planned && separate_.jointsKnown() && separate_.framesKnown();
   if (!is_known) {
-    fault(step.place, "", "leads to where nobody knows the robot to be",
-          "give bases and TCPs by value, and no stops or velocities");
+    fault(step.place, "", "leads to an unknown position",
+          "give bases and TCPs by value, and use no stops or velocities");
     return false;
   }
   if (!planned->trajectory) {
@@ -134,12 +134,12 @@ void PathPlanning::checkEnd(const Path& path, const arm::JointVector& end) {
   for (Eigen::Index joint = 0; joint < last.size(); ++joint) {
     if (std::abs(last[joint] - end[joint]) <= kEndTolerance) continue;
     return fault(path.place, "to",
-                 fmt::format("is {}, whose J{} is {:.4f} deg, and its steps end at {:.4f} deg", path.to,
+                 fmt::format("is {}, whose J{} is {:.4f} deg, but its steps end at {:.4f} deg", path.to,
                              joint + 1, radToDeg(end[joint]), radToDeg(last[joint])),
                  path.steps.back().at == path.to
-                     ? "it comes to the pose of the station with other joints: give it another station, or "
-                       "let a motion before it turn the arm to where it has to be"
-                     : "let the last step lead to the joints of the station");
+                     ? "the last step reaches the pose of the station with other joints: use another "
+                       "station, or turn the arm in a motion before it"
+                     : "let the last step end at the joints of the station");
   }
 }
 

@@ -15,42 +15,45 @@ SettingKind length(double& value, double lowest, double highest) {
 
 SettingTable geometryRows(Parameters& p) {
   return {
-      {"voxel", length(p.voxel, 5, 100), "edge of a voxel; the grid's origin is that of the world"},
-      {"step_bound", length(p.step_bound, 1, 50), "how far a body moves in a piece of a motion, at most"},
+      {"voxel", length(p.voxel, 5, 100),
+       "edge of a voxel; the origin of the grid is the origin of the world"},
+      {"step_bound", length(p.step_bound, 1, 50), "maximum displacement of a body in one piece of a motion"},
       {"margin", length(p.margin, 0, 200), "least distance of two robots that the zones guarantee"},
       {"tracking", setting_kinds::realIn(p.tracking, 0, 2, "deg", kDegreesInRadian),
-       "how far each measured joint may be from the planned path; farther is a fault"},
+       "allowed deviation of each measured joint from the planned path; a larger one is a fault"},
       {"body_tolerance", length(p.body_tolerance, 0, 50),
-       "of bodies, calibration and placement; a real arm differs from the nominal one by 1 to 6 mm, so at "
-       "least 6 there"},
+       "tolerance of bodies, calibration and placement; a real arm differs from the nominal one by 1 to 6 "
+       "mm, so use at least 6"},
       {"body_cell", length(p.body_cell, 5, 100), "radius of the capsules that cover a box"},
       {"speed_override", setting_kinds::real(p.speed_override, 0.05, 1),
-       "highest project speed for which the claims hold"}};
+       "highest project speed for which the claims are valid"}};
 }
 
 SettingTable zoneRows(Parameters& p) {
-  return {{"zone_size", length(p.zone_size, 50, 5000), "a longer zone is cut"},
-          {"zone_overlap", setting_kinds::real(p.zone_overlap, 0, 1),
-           "zones of different robots that share this part of the smaller one become one; 1: never"},
-          {"split", setting_kinds::choice<Split>(p.split, {{"auto", Split::Auto}, {"never", Split::Never}}),
-           "whether motions are cut before they enter a zone"},
-          {"max_zones", setting_kinds::whole(p.max_zones, 1, 65535), "more zones are refused"},
-          {"max_states", setting_kinds::whole(p.max_states, 1, 1000000000),
-           "of a behaviour; one of more is compressed, then left to safe orders, and refused where these "
-           "cannot decide"}};
+  return {
+      {"zone_size", length(p.zone_size, 50, 5000), "a longer zone is split"},
+      {"zone_overlap", setting_kinds::real(p.zone_overlap, 0, 1),
+       "zones of different robots are merged if they overlap by at least this share of the smaller zone; 1: "
+       "never"},
+      {"split", setting_kinds::choice<Split>(p.split, {{"auto", Split::Auto}, {"never", Split::Never}}),
+       "whether motions are cut before they enter a zone"},
+      {"max_zones", setting_kinds::whole(p.max_zones, 1, 65535), "maximum number of zones; more are refused"},
+      {"max_states", setting_kinds::whole(p.max_states, 1, 1000000000),
+       "maximum number of states of a supervisor; above it, events that affect no other robot are left out, "
+       "then safe orders decide; the cell is refused if these cannot decide"}};
 }
 
 SettingTable timeRows(Parameters& p) {
   return {{"lease", setting_kinds::seconds(p.lease, 0.1, 10),
-           "a robot or supervisor that was silent for longer is lost"},
+           "a robot or supervisor from which no message arrives for longer is lost"},
           {"report_period", setting_kinds::seconds(p.report_period, 0.01, 1),
            "time between reports of a robot; at most half of the lease"},
           {"lookahead", setting_kinds::seconds(p.lookahead, 0, 10),
-           "how long before a corner a booking is asked for, at the earliest"},
+           "maximum time before a corner at which a booking is requested"},
           {"wait_timeout", setting_kinds::seconds(p.wait_timeout, 1, 3600),
-           "a booking that waited for longer ends its goal"},
+           "if a booking waits for longer, its goal ends"},
           {"aging", setting_kinds::seconds(p.aging, 0, 3600),
-           "a robot that waited for longer is served before those that came later"}};
+           "a robot that has waited for longer is served before later requests"}};
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ class CellReading {
   void robots() {
     const YAML::Node robots = file_.required("robots");
     if (robots.IsMap() && robots.size() == 0) {
-      refuseAt(robots.Mark(), {"robots", "are none", "at least one robot", "add one"});
+      refuseAt(robots.Mark(), {"robots", "has no entries", "at least one robot", "add one"});
     }
     std::vector<std::string> names;
     std::map<std::string, YAML::Node> nodes;
@@ -130,16 +130,16 @@ class CellReading {
       if (is_new) continue;
       faults_.add(robot.place, "robots." + robot.name,
                   {"namespace",
-                   fmt::format("is {}, as that of {} in line {}", robot.name_space, first->second->name,
-                               first->second->place.line),
-                   "a namespace of its own for each robot", "change one of them"});
+                   fmt::format("is {}, the same as that of {} in line {}", robot.name_space,
+                               first->second->name, first->second->place.line),
+                   "a different namespace for each robot", "change one of them"});
     }
     for (const Mechanism& mechanism : cell_.mechanisms) {
       const Robot* robot = find(cell_.robots, mechanism.name);
       if (robot == nullptr) continue;
       faults_.add(mechanism.place, "mechanisms." + mechanism.name,
-                  {"", fmt::format("has the name of the robot of line {}", robot->place.line),
-                   "names of their own for robots and mechanisms", "rename one of them"});
+                  {"", fmt::format("has the same name as the robot of line {}", robot->place.line),
+                   "different names for robots and mechanisms", "rename one of them"});
     }
   }
 

@@ -66,7 +66,7 @@ YAML::Node documentIn(const std::string& text) {
   DocumentStart start;
   if (parser.HandleNextDocument(start) && parser.HandleNextDocument(start)) {
     refuseAt(start.mark(), {"", "has a second document", "one document, without --- inside",
-                            "take the line with --- or ... away"});
+                            "remove the line with --- or ..."});
   }
   return YAML::Load(text);
 }

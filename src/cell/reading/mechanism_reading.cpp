@@ -60,7 +60,8 @@ void takeUncontrollable(const YamlMap& map, MechanismPath& path) {
     const int event = files::toNamed(list[i], fmt::format("uncontrollable[{}]", i), {{"go", 0}, {"book", 1}});
     bool& controllable = event == 0 ? path.controllable_go : path.controllable_book;
     if (!controllable) {
-      refuseAt(list[i].Mark(), {fmt::format("uncontrollable[{}]", i), "stands twice", "each event once", ""});
+      refuseAt(list[i].Mark(),
+               {fmt::format("uncontrollable[{}]", i), "appears twice", "each event once", ""});
     }
     controllable = false;
   }
@@ -74,7 +75,8 @@ MechanismPath toPath(const YAML::Node& node, const Mechanism& mechanism, const F
   for (const auto& [key, name] : {std::pair{"from", &path.from}, std::pair{"to", &path.to}}) {
     *name = nameIn(map, key);
     if (find(mechanism.positions, *name) == nullptr) {
-      refuseUnknown(map.required(key).Mark(), key, *name, "position of it", namesOf(mechanism.positions));
+      refuseUnknown(map.required(key).Mark(), key, *name, "position of the mechanism",
+                    namesOf(mechanism.positions));
     }
   }
   if (map.has("duration")) path.duration = map.number("duration");
@@ -116,7 +118,7 @@ std::vector<Mechanism> readMechanisms(const YAML::Node& node, FaultList& faults)
     readPositions(map.required("positions"), made, faults);
     made.home = nameIn(map, "home");
     if (find(made.positions, made.home) == nullptr) {
-      refuseUnknown(map.required("home").Mark(), "home", made.home, "position of it",
+      refuseUnknown(map.required("home").Mark(), "home", made.home, "position of the mechanism",
                     namesOf(made.positions));
     }
     if (map.has("holds")) made.holds = map.truth("holds");

@@ -11,8 +11,8 @@ namespace cobot_command::cell {
 namespace {
 
 constexpr std::size_t kLongestName = 64;
-constexpr const char* kAllowedName = "1 to 64 letters of ASCII, digits and _, beginning with a letter";
-constexpr const char* kAllowedSpace = "such names, with slashes between them";
+constexpr const char* kAllowedName = "1 to 64 ASCII letters, digits and _, starting with a letter";
+constexpr const char* kAllowedSpace = "such names, separated by slashes";
 
 bool isLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -59,9 +59,9 @@ std::string nameSpaceIn(const files::YamlMap& map, const char* key) {
 files::YamlFinding unknown(const std::string& field, const std::string& name, const char* kind,
                            const std::vector<std::string>& known) {
   const std::string nearest = nearestOf(name, known);
-  const std::string allowed = known.empty() ? fmt::format("none, as there is no {}", kind)
+  const std::string allowed = known.empty() ? fmt::format("none, because there is no {}", kind)
                                             : fmt::format("{}", fmt::join(known, ", "));
-  return {field, fmt::format("is {}, which is no {}", quoted(name), kind), foreignText(allowed),
+  return {field, fmt::format("is {}, which is not a {}", quoted(name), kind), foreignText(allowed),
           nearest.empty() ? "" : "write " + nearest};
 }
 

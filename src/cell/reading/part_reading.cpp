@@ -16,7 +16,7 @@ constexpr const char* kFlange = "flange";
 Part toPart(const std::string& name, const YAML::Node& node, const FaultList& faults) {
   const YamlMap map(node, "a part", {"shapes", "on", "at"});
   if (name == kFlange) {
-    refuseAt(node.Mark(), {"", "has the name of every robot's flange", "any other name", "rename it"});
+    refuseAt(node.Mark(), {"", "is the name of every robot's flange", "any other name", "rename it"});
   }
   Part part;
   part.name = name;
@@ -38,13 +38,13 @@ void checkCarrier(const Part& part, const std::vector<Part>& parts, FaultList& f
       if (carried != &part) return;  // told by the one that hangs on it
       std::vector<std::string> known = namesOf(parts);
       known.emplace_back(kFlange);
-      faults.add(part.place, field, unknown("on", part.on, "part, and not the flange", known));
+      faults.add(part.place, field, unknown("on", part.on, "part or the flange", known));
       return;
     }
     if (!seen.insert(carrier->name).second) {
       faults.add(part.place, field,
-                 {"on", "is carried by itself, through " + carrier->name, "flange, or a part that ends there",
-                  "have one of them on the flange"});
+                 {"on", "is mounted on itself, through " + carrier->name,
+                  "flange, or a part that is mounted on the flange", "mount one of them on the flange"});
       return;
     }
     carried = carrier;

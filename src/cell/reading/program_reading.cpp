@@ -71,8 +71,8 @@ Step toStep(const YAML::Node& node, double usual_dwell, const Robot& robot, cons
 void count(std::size_t steps, const YAML::Mark& mark, ProgramReading& reading) {
   reading.steps += steps;
   if (reading.steps > kMostStepsOfCell) {
-    refuseAt(mark, {"steps", fmt::format("are {} with those in front of them", reading.steps),
-                    fmt::format("at most {} in a cell", kMostStepsOfCell), "make two cells of it"});
+    refuseAt(mark, {"steps", fmt::format("are {}, including those before them", reading.steps),
+                    fmt::format("at most {} in a cell", kMostStepsOfCell), "split it into two cells"});
   }
 }
 
@@ -101,7 +101,7 @@ std::vector<files::FileStep> stepsOfFile(const YamlMap& map, const std::string& 
   };
   if (map.has("dwell")) {
     refuseAt(map.required("dwell").Mark(),
-             {"dwell", "stands beside a steps_file", "that of the file", "write it into the file"});
+             {"dwell", "is given together with a steps_file", "that of the file", "write it into the file"});
   }
   const auto text = reading.read_file(name);
   if (!text) refuse_file(foreignText(text.error()));
@@ -146,9 +146,9 @@ void readPath(const YAML::Node& node, const std::string& field, Robot& robot, Pr
   path.from = stationIn(map, "from", robot);
   path.to = stationIn(map, "to", robot);
   if (map.has("steps") == map.has("steps_file")) {
-    refuseAt(map.mark(),
-             {map.has("steps") ? "steps_file" : "steps",
-              map.has("steps") ? "stands beside steps" : "is missing", "one of: steps, steps_file", ""});
+    refuseAt(map.mark(), {map.has("steps") ? "steps_file" : "steps",
+                          map.has("steps") ? "is given together with steps" : "is missing",
+                          "one of: steps, steps_file", ""});
   }
   const std::size_t before = reading.faults.count();
   if (map.has("steps")) {

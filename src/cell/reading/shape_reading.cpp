@@ -31,7 +31,7 @@ Eigen::Vector3d pointIn(const YamlMap& map, const char* key) {
 
 [[noreturn]] void refuseRotation(const YAML::Node& node, const std::string& field, const std::string& found,
                                  const char* allowed) {
-  refuseAt(node.Mark(), {field, "is no rotation: " + found, allowed,
+  refuseAt(node.Mark(), {field, "is not a rotation: " + found, allowed,
                          "give more digits, or write the pose as [x, y, z, rx, ry, rz]"});
 }
 
@@ -122,9 +122,8 @@ void refuseMesh(const YAML::Node& node) {
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
     if (key != "mesh" && key != "stl" && key != "file") continue;
     refuseAt(entry.first.Mark(), {key, "is a mesh", "capsule, sphere, cylinder, box",
-                                  "cover the mesh by boxes, as tm_cell cover proposes them: what is proved "
-                                  "of a cell needs bodies that are "
-                                  "closed"});
+                                  "cover the mesh by boxes, as tm_cell cover proposes them: a cell can only "
+                                  "be verified with closed bodies"});
   }
 }
 
@@ -168,8 +167,7 @@ blocks::SixValues frameIn(const YamlMap& map, const char* key, const char* kind)
     refuseAt(node.Mark(),
              {key, fmt::format("{}, the name of a {} of the project", files::isShown(node), kind),
               "[x, y, z, rx, ry, rz]",
-              "write its value: what the project has under a name is not known here, and can "
-              "change"});
+              "write its value: the value of a name in the project is unknown here, and can change"});
   }
   return node.IsSequence() ? files::toSix(map, key) : arm::toControllerPose(toPose(node, key));
 }

@@ -32,7 +32,7 @@ const Station& stationIn(const YamlMap& map, const char* key, const Robot& robot
   const YAML::Node node = map.required(key);
   const Station* station = find(robot.stations, node.Scalar());
   if (station == nullptr) {
-    refuseUnknown(node.Mark(), key, node.Scalar(), "station of the robot, and no six numbers",
+    refuseUnknown(node.Mark(), key, node.Scalar(), "station of the robot or six numbers",
                   namesOf(robot.stations));
   }
   return *station;
@@ -52,8 +52,7 @@ blocks::SixValues jointsIn(const YamlMap& map, const char* key, const Robot& rob
 void moveAbsolute(const YamlMap& map, const Robot& robot, Step& step) {
   blocks::MoveAbsoluteGoal goal;
   goal.movement_command = map.named("movement_command", files::movementNames());
-  goal.data_format =
-      files::toAbsoluteFormat(map, goal.movement_command, "write block: move_relative beside it");
+  goal.data_format = files::toAbsoluteFormat(map, goal.movement_command, "add block: move_relative");
   const bool has_joints = goal.data_format == static_cast<int>(blocks::AbsoluteFormat::Jpp);
   goal.target =
       has_joints ? jointsIn(map, "target_position", robot) : poseIn(map, "target_position", robot, step);
@@ -157,9 +156,9 @@ void refuseProjectNames(const YAML::Node& node) {
     const std::string right = key.substr(0, key.find('_'));
     refuseAt(entry.first.Mark(),
              {key, "names a frame of the project", right + ": [x, y, z, rx, ry, rz]",
-              fmt::format("write its value as {}: what the project has under a name is not "
-                          "known here, and can change",
-                          right)});
+              fmt::format(
+                  "write its value as {}: the value of a name in the project is unknown here, and can change",
+                  right)});
   }
 }
 

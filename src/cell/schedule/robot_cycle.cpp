@@ -53,26 +53,25 @@ void addFaultsOfWay(const Problem& problem, const RobotCycle& cycle, Faults& fau
     }
     const std::string& name = problem.events[timed.event].name;
     if (owners[timed.event] > 1) {
-      return faults.push_back(
-          fmt::format("{}: \"{}\" is of several plants: each robot has its own events", where, name));
+      return faults.push_back(fmt::format(
+          "{}: \"{}\" belongs to several plants: each robot must have its own events", where, name));
     }
     if (std::find(plant.alphabet.begin(), plant.alphabet.end(), timed.event) == plant.alphabet.end()) {
-      return faults.push_back(fmt::format("{}: \"{}\" is no event of {}", where, name, plant.name));
+      return faults.push_back(fmt::format("{}: \"{}\" is not an event of {}", where, name, plant.name));
     }
     if (timed.after < Duration{}) {
-      faults.push_back(
-          fmt::format("{}, \"{}\", comes {} s after the one before it: that cannot be less than 0", where,
-                      name, toSeconds(timed.after)));
+      faults.push_back(fmt::format("{}, \"{}\", is {} s after the event before it: this must not be negative",
+                                   where, name, toSeconds(timed.after)));
     }
     const auto next = stepOf(plant, place, timed.event);
     if (!next) {
       return faults.push_back(
-          fmt::format("{}: {} cannot make \"{}\" at {}", where, plant.name, name, plant.states[place]));
+          fmt::format("{}: {} cannot execute \"{}\" at {}", where, plant.name, name, plant.states[place]));
     }
     place = *next;
   }
   if (place != plant.initial) {
-    faults.push_back(fmt::format("the cycle of {} ends at {}, and not at its home {}", plant.name,
+    faults.push_back(fmt::format("the cycle of {} ends at {}, not at its home {}", plant.name,
                                  plant.states[place], plant.states[plant.initial]));
   }
 }
@@ -84,10 +83,10 @@ void addFaultsOfCycle(const Problem& problem, const RobotCycle& cycle, Faults& f
   }
   const std::string& name = problem.automata[cycle.robot].name;
   if (problem.automata[cycle.robot].kind != Automaton::Kind::Plant) {
-    return faults.push_back(fmt::format("{} is a spec, and no robot", name));
+    return faults.push_back(fmt::format("{} is a spec, not a robot", name));
   }
   if (cycle.events.empty()) {
-    return faults.push_back(fmt::format("the cycle of {} has no events: a robot that rests has none", name));
+    return faults.push_back(fmt::format("the cycle of {} has no events: leave out a robot that rests", name));
   }
   addFaultsOfWay(problem, cycle, faults);
 }
@@ -128,9 +127,10 @@ void addFaultsOfReports(const Problem& problem, const Automaton& spec, Faults& f
       const auto behind = next.find({report.to, other.event});
       if (behind != next.end() && behind->second == before->second) continue;
       if (!told.insert({report.event, other.event}).second) continue;
-      faults.push_back(fmt::format(
-          "in {}, the report \"{}\" is not the same before and behind \"{}\": such cannot be scheduled",
-          spec.name, problem.events[report.event].name, problem.events[other.event].name));
+      faults.push_back(
+          fmt::format("in {}, the effect of the report \"{}\" differs before and after \"{}\": such reports "
+                      "cannot be scheduled",
+                      spec.name, problem.events[report.event].name, problem.events[other.event].name));
     }
   }
 }
@@ -156,13 +156,13 @@ Faults faultsOfCycles(const Problem& problem, const std::vector<RobotCycle>& cyc
 Result<RobotCycle, std::string> cycleWithGaps(const Problem& problem, std::size_t robot,
                                               const std::vector<double>& gaps) {
   if (robot >= problem.automata.size() || problem.automata[robot].kind != Automaton::Kind::Plant) {
-    return refuse(fmt::format("automaton {} is no robot", robot));
+    return refuse(fmt::format("automaton {} is not a robot", robot));
   }
   const Automaton& plant = problem.automata[robot];
   std::map<StateIndex, Transition> ways;
   for (const Transition& way : plant.transitions) {
     if (!ways.emplace(way.from, way).second) {
-      return refuse(fmt::format("{} has several ways at {}: gaps alone do not say which one it takes",
+      return refuse(fmt::format("{} has several paths at {}: gaps alone do not determine which one it takes",
                                 plant.name, plant.states[way.from]));
     }
   }
@@ -171,18 +171,18 @@ Result<RobotCycle, std::string> cycleWithGaps(const Problem& problem, std::size_
   do {
     const auto way = ways.find(place);
     if (way == ways.end() || cycle.events.size() > ways.size()) {
-      return refuse(fmt::format("{} has no way home from {}", plant.name, plant.states[place]));
+      return refuse(fmt::format("{} has no path home from {}", plant.name, plant.states[place]));
     }
     cycle.events.push_back({way->second.event, Duration{}});
     place = way->second.to;
   } while (place != plant.initial);
   if (gaps.size() + 1 != cycle.events.size()) {
-    return refuse(fmt::format("{} has {} events, and so {} gaps between them; there are {}", plant.name,
+    return refuse(fmt::format("{} has {} events, and so {} gaps between them, but {} are given", plant.name,
                               cycle.events.size(), cycle.events.size() - 1, gaps.size()));
   }
   for (std::size_t index = 0; index < gaps.size(); ++index) {
     if (!(gaps[index] >= 0.0 && gaps[index] <= kLongest)) {
-      return refuse(fmt::format("gap {} of {} is {} s: it has to be a time from 0 to {} s", index + 1,
+      return refuse(fmt::format("gap {} of {} is {} s: it must be a time from 0 to {} s", index + 1,
                                 plant.name, gaps[index], kLongest));
     }
     cycle.events[index + 1].after = fromSeconds(gaps[index]);

@@ -70,8 +70,7 @@ Result<FoundSchedule, std::string> find(const Problem& problem, const Rule& rule
   if (search.hasFound()) {
     found.best = scheduleOf(work, compacted(work, search.moves(), rule, initial));
   } else if (search.isExhausted()) {
-    return refuse(std::string(
-        "there is no schedule: whatever is granted, these cycles do not all come to their end at home"));
+    return refuse(std::string("there is no schedule: in no order do all these cycles end at home"));
   }
   return found;
 }

@@ -133,7 +133,7 @@ Result<Record, std::string> fromLine(std::string_view line) {
   try {
     return fromJson(json::parse(text));
   } catch (const json::exception& wrong) {
-    return refuse(fmt::format("it is no record: {}", wrong.what()));
+    return refuse(fmt::format("it is not a record: {}", wrong.what()));
   }
 }
 

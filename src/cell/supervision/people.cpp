@@ -41,51 +41,52 @@ std::optional<std::string> objectionTo(const RobotWatch& watch, const std::strin
   if (!watch.wasHeard() || watch.isSilent(now, to.lease)) {
     return name + " does not report: start its node";
   }
-  if (watch.report().hash != to.hash) return name + " has another artifact: load the same on both";
-  if (watch.report().moving) return name + " moves: wait until it stands";
+  if (watch.report().hash != to.hash) return name + " uses another artifact: load the same on both";
+  if (watch.report().moving) return name + " moves: wait until it is at standstill";
   if (watch.report().condition == RobotCondition::Manual ||
       watch.report().condition == RobotCondition::Error) {
     return fmt::format("{} is {}: end that at its pendant first", name, toString(watch.report().condition));
   }
   if (!watch.isLinked()) {
-    return fmt::format("nothing can be sent to {}: {}", name, watch.report().text);
+    return fmt::format("no commands can be sent to {}: {}", name, watch.report().text);
   }
   if (watch.report().instance != 0 && watch.report().instance != to.instance) {
-    return name + " keeps to a supervisor whose journal is gone: start its node anew";
+    return name + " follows a supervisor that lost its journal: restart its node";
   }
   if (!watch.isFresh(to.lease)) {
-    return fmt::format("the joints of {} were measured {:.1f} s ago: see to its status stream first", name,
+    return fmt::format("the joints of {} were measured {:.1f} s ago: check its status stream first", name,
                        watch.report().status_age);
   }
   return std::nullopt;
 }
 
-constexpr const char* kNotWritten = "the journal cannot be written, so that nothing was done";
+constexpr const char* kNotWritten = "the journal cannot be written; nothing was changed";
 
 }  // namespace
 
 PersonsAnswer Supervision::Parts::hold(bool on, Instant now) {
-  if (!record_.hold(on, "hold was asked for")) return refused(kNotWritten);
+  if (!record_.hold(on, "hold was requested")) return refused(kNotWritten);
   settle(now);
-  if (!on && record_.held()) return refused("nothing is granted still: " + *record_.held());
-  return {true, on ? "nothing new is granted; what was sent goes to its end" : "bookings are granted again"};
+  if (!on && record_.held()) return refused("still nothing is granted: " + *record_.held());
+  return {true,
+          on ? "nothing new is granted; motions that were sent are completed" : "bookings are granted again"};
 }
 
 PersonsAnswer Supervision::Parts::finish(bool on, Instant now) {
   if (!record_.finish(on)) return refused(kNotWritten);
   settle(now);
-  return {true, on ? "no robot sets out from home any more" : "robots set out from home again"};
+  return {true, on ? "no robot leaves home any more" : "robots leave home again"};
 }
 
 PersonsAnswer Supervision::Parts::stop(Instant now) {
-  const std::string why = "stop was asked for";
+  const std::string why = "stop was requested";
   const bool is_written = record_.hold(true, why);
   for (RobotIndex robot = 0; robot < robots_.size(); ++robot) {
     stop_orders_.push_back({robot, why});
   }
   settle(now);
-  return {true, is_written ? "all robots are told to stop; their zones stay"
-                           : "all robots are told to stop, but the journal cannot be written"};
+  return {true, is_written ? "all robots are being stopped; they keep their zones"
+                           : "all robots are being stopped, but the journal cannot be written"};
 }
 
 PersonsAnswer Supervision::Parts::recover(const std::string& name, const std::string& place_name,
@@ -96,7 +97,7 @@ PersonsAnswer Supervision::Parts::recover(const std::string& name, const std::st
   const auto place = std::find_if(places.begin(), places.end(),
                                   [&](const CellPlace& one) { return one.name == place_name; });
   if (place == places.end()) {
-    return refused(fmt::format("{} has no place \"{}\" in its program, but {}", name,
+    return refused(fmt::format("{} has no place \"{}\" in its program; it has {}", name,
                                foreignText(place_name, kQuoteLimit), placeNames(places)));
   }
   const auto state = static_cast<automata::StateIndex>(place - places.begin());
@@ -109,10 +110,10 @@ PersonsAnswer Supervision::Parts::recover(const std::string& name, const std::st
   robots_[*robot].joined();
   is_confirmed_[*robot] = true;
   settle(now);
-  if (place->station) return {true, fmt::format("{} is at {}, and goes on from there", name, place_name)};
+  if (place->station) return {true, fmt::format("{} is at {}, and continues from there", name, place_name)};
   return {true,
-          fmt::format("{} is at {}: it goes on from there where its step is a motion of joints (PTP with "
-                      "JPP, or a mechanism's); else bring it to a station by hand, and recover it there",
+          fmt::format("{} is at {}: it continues from there if its step is a motion of joints (PTP with JPP, "
+                      "or a mechanism's); else bring it to a station by hand, and recover it there",
                       name, place_name)};
 }
 
@@ -123,7 +124,7 @@ std::optional<std::string> Supervision::Parts::objectionToRecovery(RobotIndex ro
   const RobotWatch& watch = robots_[robot];
   const CellPlace& where = rules_.model().places[robot][place];
   if (!start_fault_.empty()) return start_fault_;
-  if (person.empty()) return "it has to be said who recovers it";
+  if (person.empty()) return "person is empty: name who recovers it";
   if (auto unfit = objectionTo(watch, nameOf(robot), {hash_, record_.instance(), settings_.lease}, now)) {
     return unfit;
   }
@@ -133,9 +134,9 @@ std::optional<std::string> Supervision::Parts::objectionToRecovery(RobotIndex ro
       const bool fits = ports_.fits(robot, other, watch.report().joints);
       if (fits) fitting.push_back(rules_.model().places[robot][other]);
     }
-    return fmt::format("{} does not stand at {}: {}", nameOf(robot), where.name,
+    return fmt::format("{} is not at {}: {}", nameOf(robot), where.name,
                        fitting.empty() ? "bring it to a place of its program by hand"
-                                       : "by its joints it may be at " + placeNames(fitting));
+                                       : "by its joints it can be at " + placeNames(fitting));
   }
   for (const std::uint32_t zone : watch.report().touched_zones) {
     if (zone < rules_.model().program.zones.size() &&
@@ -147,12 +148,12 @@ std::optional<std::string> Supervision::Parts::objectionToRecovery(RobotIndex ro
   const auto tuple = record_.placed(robot, place);
   if (!tuple) return fmt::format("another robot holds a zone that {} has at {}", nameOf(robot), where.name);
   if (const auto intrusion = rules_.intrusionIn(*tuple)) {
-    return fmt::format("{} was let go, and enters {} by itself: wait until it has left it",
+    return fmt::format("{} was released, and enters {} automatically: wait until it has left the zone",
                        nameOf(intrusion->mechanism), rules_.model().program.zones[intrusion->zone]);
   }
   const auto stuck = rules_.stuckIn(*tuple);
   if (!stuck.empty()) {
-    return fmt::format("from there {} could not come home any more: bring it to another place",
+    return fmt::format("from there {} could not return home: bring it to another place",
                        fmt::join(namesOf(stuck), ", "));
   }
   return std::nullopt;
@@ -166,24 +167,22 @@ PersonsAnswer Supervision::Parts::confirmClear(const std::string& name, const st
   if (isAble(*robot, now)) {
     return refused(fmt::format("{} is not lost: stop it first, or take it out at home", name));
   }
-  if (person.empty()) return refused("it has to be said who confirms");
+  if (person.empty()) return refused("person is empty: name who confirms");
   if (watch.wasHeard() && !watch.isSilent(now, settings_.lease) && watch.report().moving) {
-    return refused(fmt::format("{} moves: wait until it stands", name));
+    return refused(fmt::format("{} moves: wait until it is at standstill", name));
   }
   if (watch.wasHeard() && !watch.isSilent(now, settings_.lease) && !watch.report().touched_zones.empty()) {
-    return refused(fmt::format("{} is measured in {} now: bring it out, or end its node first", name,
+    return refused(fmt::format("{} is measured in {} now: move it out, or end its node first", name,
                                rules_.model().program.zones.at(watch.report().touched_zones.front())));
   }
   if (!was_moved && watch.wasHeard() && !watch.report().touched_zones.empty()) {
-    return refused(
-        fmt::format("{} was measured in {} when it was heard last: say that it was moved, once it was", name,
-                    rules_.model().program.zones.at(watch.report().touched_zones.front())));
+    return refused(fmt::format("{} was in {} in its last report: move it out, then set was_moved", name,
+                               rules_.model().program.zones.at(watch.report().touched_zones.front())));
   }
   if (!was_moved && watch.wasHeard() && watch.report().moving) {
-    return refused(
-        fmt::format("{} moved when it was heard last, and may have gone on: see where it stands, and say "
-                    "that it was moved",
-                    name));
+    return refused(fmt::format(
+        "{} moved in its last report, and can have moved further: check where it is, then set was_moved",
+        name));
   }
   if (!record_.takeOut(*robot, person)) return refused(kNotWritten);
   robots_[*robot].forgetPlace();
@@ -194,7 +193,7 @@ PersonsAnswer Supervision::Parts::confirmClear(const std::string& name, const st
 PersonsAnswer Supervision::Parts::takeOut(const std::string& name, const std::string& person, Instant now) {
   const auto robot = record_.robotNamed(name);
   if (!robot) return noSuchRobot(name, rules_.model().program.robots);
-  if (person.empty()) return refused("it has to be said who takes it out");
+  if (person.empty()) return refused("person is empty: name who takes it out");
   const bool is_home = record_.tuple()[*robot] == rules_.initial()[*robot] && !robots_[*robot].request;
   if (!is_home) {
     return refused(
@@ -202,7 +201,8 @@ PersonsAnswer Supervision::Parts::takeOut(const std::string& name, const std::st
   }
   if (!rules_.model().places[*robot][record_.tuple()[*robot]].holds.empty()) {
     return refused(fmt::format(
-        "{} holds a zone at home, which would be free with the robot in it: leave it in the cell", name));
+        "{} holds a zone at home, which would become free although the robot is in it: leave it in the cell",
+        name));
   }
   if (!record_.takeOut(*robot, person)) return refused(kNotWritten);
   settle(now);

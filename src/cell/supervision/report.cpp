@@ -44,20 +44,20 @@ std::optional<std::string> malformed(const RobotReport& report) {
   if (report.events.size() > kMaxEvents) return "there are too many events";
   if (report.touched_zones.size() > kMaxZones) return "there are too many zones";
   if (!std::is_sorted(report.touched_zones.begin(), report.touched_zones.end())) {
-    return "its zones are not in their order";
+    return "its zones are not sorted";
   }
   if (report.session == 0 || report.number == 0) return "it has no session or no number";
-  if (report.condition > RobotCondition::Unlinked) return "its condition is none that there is";
+  if (report.condition > RobotCondition::Unlinked) return "its condition is invalid";
   const bool are_joints = std::all_of(report.joints.begin(), report.joints.end(),
                                       [](double joint) { return std::abs(joint) <= kMaxJoint; });
-  if (!are_joints) return "its joints are no angles";
+  if (!are_joints) return "its joints are not angles";
   if (!(report.status_age >= 0.0 && report.status_age <= kMaxStatusAge)) {
-    return "the age of its status is none";
+    return "the age of its status is invalid";
   }
   const bool are_kinds =
       std::all_of(report.events.begin(), report.events.end(),
                   [](const NumberedEvent& event) { return event.kind <= NumberedEvent::Kind::Withdrawn; });
-  if (!are_kinds) return "an event is of no kind";
+  if (!are_kinds) return "an event has an invalid kind";
   return std::nullopt;
 }
 

@@ -19,7 +19,7 @@ const char* endedBy(RobotCondition condition) {
     case RobotCondition::Error:
       return "it has an error";
     case RobotCondition::OffPath:
-      return "it is not where its program leads";
+      return "it is off the path of its program";
     case RobotCondition::Ok:
     case RobotCondition::Paused:
     case RobotCondition::Manual:
@@ -32,16 +32,16 @@ const char* endedBy(RobotCondition condition) {
 /// Why it is no event of that robot; nothing: it is.
 std::optional<std::string> objectionTo(const CellModel& model, RobotIndex robot, const NumberedEvent& event) {
   if (event.event >= model.events.size()) {
-    return fmt::format("it tells of event {}, which the cell does not have", event.event);
+    return fmt::format("it reports event {}, which the cell does not have", event.event);
   }
   const std::string& name = model.problem.events[event.event].name;
   if (model.events[event.event].robot != robot) {
-    return fmt::format("it tells of {}, which is an event of {}", name,
+    return fmt::format("it reports {}, which is an event of {}", name,
                        model.program.robots[model.events[event.event].robot].name);
   }
   if ((event.kind == Kind::Happened) == model.problem.events[event.event].controllable) {
-    return fmt::format("it tells of {} as what it {}", name,
-                       event.kind == Kind::Happened ? "has done unasked" : "waits for");
+    return fmt::format("it reports {} as an event that it {}", name,
+                       event.kind == Kind::Happened ? "has executed without a request" : "waits for");
   }
   return std::nullopt;
 }
@@ -78,11 +78,11 @@ bool Supervision::Parts::take(const RobotReport& report, Instant now) {
   }
   if (report.hash != hash_) {
     watch.forgetPlace();  // by the zones of another artifact
-    fail(*robot, fmt::format("its artifact is another one ({}, and this is {}): load the same on both",
+    fail(*robot, fmt::format("it uses another artifact ({}, the supervisor has {}): load the same on both",
                              foreignText(report.hash.substr(0, 8)), hash_.substr(0, 8)));
   } else if (report.instance != 0 && report.instance != record_.instance()) {
     ++counts_.other_supervisors;
-    fail(*robot, "it keeps to another supervisor, or to one whose journal is gone");
+    fail(*robot, "it follows another supervisor, or a supervisor that lost its journal");
   } else if (mode() != SupervisorMode::Fault && !record_.robot(*robot).is_out) {
     // A node that was started anew while its robot stands at home is as one that is heard for the first time.
     const bool is_at_home = record_.tuple()[*robot] == rules_.initial()[*robot];
@@ -126,22 +126,22 @@ bool Supervision::Parts::takeEvent(RobotIndex robot, const NumberedEvent& event,
     const bool is_other = std::any_of(
         known.recent.begin(), known.recent.end(),
         [&](const NumberedEvent& recent) { return recent.number == event.number && recent != event; });
-    return !is_other || failed(fmt::format("SEQUENCE: its event {} was another one before", event.number));
+    return !is_other || failed(fmt::format("SEQUENCE: its event {} was different before", event.number));
   }
   if (watch.request && watch.request->event == event) return true;
   if (event.number == 0) return failed("SEQUENCE: events count from 1");
   if (const auto objection = objectionTo(rules_.model(), robot, event)) return failed(*objection);
   if (event.kind == Kind::Withdrawn) return takeWithdrawal(robot, event);
   if (watch.request || event.number != known.acknowledged + 1) {
-    return failed(
-        fmt::format("SEQUENCE: its event {} came, and {} is the next", event.number, known.acknowledged + 1));
+    return failed(fmt::format("SEQUENCE: its event {} was received, but {} is the next", event.number,
+                              known.acknowledged + 1));
   }
   if (event.kind == Kind::Wanted) {
     watch.request = Request{event, watch.waits_since.value_or(now)};
     return true;
   }
   if (rules_.decide(record_.tuple(), event.event).verdict != automata::Decision::Verdict::Granted) {
-    return failed(fmt::format("it tells of {}, which cannot have happened where its program is",
+    return failed(fmt::format("it reports {}, which is impossible at the place of its program",
                               rules_.model().problem.events[event.event].name));
   }
   if (!record_.carryOut(robot, event)) return false;
@@ -157,7 +157,7 @@ bool Supervision::Parts::takeWithdrawal(RobotIndex robot, const NumberedEvent& e
   const bool was_granted = event.number == known.acknowledged + 1 && !known.recent.empty() &&
                            known.recent.back() == wanted && rules_.undone(record_.tuple(), event.event);
   if (!was_waiting && !was_granted) {
-    fail(robot, fmt::format("SEQUENCE: its event {} takes back what it has not asked for just before",
+    fail(robot, fmt::format("SEQUENCE: its event {} withdraws an event that it has not just requested",
                             event.number));
     return false;
   }

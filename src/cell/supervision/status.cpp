@@ -79,12 +79,12 @@ std::string Supervision::Parts::textOf(RobotIndex robot, Instant now) const {
   const CellPlace& place = rules_.model().places[robot][record_.tuple()[robot]];
   if (record_.robot(robot).is_out) return "it was taken out; recover it to bring it back";
   if (!watch.wasHeard()) return "it has not reported";
-  if (isStrange(robot)) return "its node was started anew: recover it";
+  if (isStrange(robot)) return "its node was restarted: recover it";
   if (!watch.fault().empty()) return watch.fault() + ": recover it";
-  if (watch.isSilent(now, settings_.lease)) return "it is silent";
-  if (!watch.isLinked()) return "nothing can be sent to it: " + watch.report().text;
+  if (watch.isSilent(now, settings_.lease)) return "it does not report";
+  if (!watch.isLinked()) return "no commands can be sent to it: " + watch.report().text;
   if (!is_confirmed_[robot]) {
-    return fmt::format("it does not stand at {}: bring it there, or recover it", place.name);
+    return fmt::format("it is not at {}: bring it there, or recover it", place.name);
   }
   return watch.report().text;
 }
@@ -143,16 +143,16 @@ ZoneStatus Supervision::Parts::statusOfZone(ZoneIndex zone, Instant now) const {
 std::string Supervision::Parts::diagnosis() const {
   if (!start_fault_.empty()) return start_fault_;
   if (record_.isBroken()) {
-    return "the journal cannot be written: nothing is granted until the supervisor is started anew";
+    return "the journal cannot be written: nothing is granted until the supervisor is restarted";
   }
   const auto waits_for = unconfirmed();
   if (!waits_for.empty()) {
-    return fmt::format("{} {}",
-                       is_restarted_ ? "to be recovered, or to report where they were:" : "not there yet:",
-                       fmt::join(namesOf(waits_for), ", "));
+    return fmt::format(
+        "{} {}", is_restarted_ ? "must be recovered, or report from their last place:" : "not ready yet:",
+        fmt::join(namesOf(waits_for), ", "));
   }
   if (record_.held()) return *record_.held();
-  return record_.isFinishing() ? "no robot sets out from home any more" : "";
+  return record_.isFinishing() ? "no robot leaves home any more" : "";
 }
 
 CellStatus Supervision::Parts::status(Instant now) const {

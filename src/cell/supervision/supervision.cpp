@@ -75,15 +75,15 @@ Supervision::Parts::Parts(Rules rules, std::string hash, std::uint64_t instance,
     const std::string* const hash_of_record = journal::hashOf(record);
     if (hash_of_record != nullptr && *hash_of_record != hash_) {
       start_fault_ = fmt::format(
-          "the journal is of another artifact ({}, and this is {}): bring all robots home, and begin "
-          "a new journal",
+          "the journal belongs to another artifact ({}, the supervisor has {}): bring all robots home, and "
+          "start a new journal",
           hash_of_record->substr(0, 8), hash_.substr(0, 8));
       return;
     }
     is_restarted_ = is_restarted_ || journal::tellsOfRobots(record);
   }
   if (!record_.replay(records)) {
-    start_fault_ = "the journal says what cannot have happened: bring all robots home, and begin a new one";
+    start_fault_ = "the journal contains impossible events: bring all robots home, and start a new journal";
     return;
   }
   if (!record_.start(hash_, instance)) start_fault_ = "the journal cannot be written";
@@ -183,8 +183,8 @@ void Supervision::Parts::findIntruders() {
       lasting.insert({zone, robot, other});
       if (intrusions_.count({zone, robot, other}) != 0 && record_.held()) continue;
       const std::string why = fmt::format(
-          "INTRUSION: {} is in {}, which {} {}: bring it out, and let the cell go on by hold with false",
-          nameOf(robot), rules_.model().program.zones[zone], nameOf(other), holder ? "holds" : "is in too");
+          "INTRUSION: {} is in {}, which {} {}: bring it out, and continue by hold with false", nameOf(robot),
+          rules_.model().program.zones[zone], nameOf(other), holder ? "holds" : "is also in");
       (void)record_.hold(true, why);
       stop_orders_.push_back({robot, why});
       stop_orders_.push_back({other, why});

@@ -104,8 +104,8 @@ Result<std::string, std::string> toOctomap(const VoxelSet& voxels, double edge, 
   for (std::size_t axis = 0; bounds && axis < 3; ++axis) {
     if (bounds->lower[axis] >= -kFarthestOfOctomap && bounds->upper[axis] < kFarthestOfOctomap) continue;
     return refuse(fmt::format(
-        "its voxels reach from {:.1f} to {:.1f} m along {}, and a map of OctoMap with voxels of {:g} mm from "
-        "{:.1f} to {:.1f} m: take larger voxels, or put the world's origin into the cell",
+        "its voxels extend from {:.1f} to {:.1f} m along {}, but an OctoMap with voxels of {:g} mm extends "
+        "from {:.1f} to {:.1f} m: use larger voxels, or move the world's origin into the cell",
         bounds->lower[axis] * edge, (bounds->upper[axis] + 1) * edge, "xyz"[axis], 1000.0 * edge,
         -kFarthestOfOctomap * edge, kFarthestOfOctomap * edge));
   }

@@ -53,9 +53,8 @@ std::string nearestApproach(const Piece& rest, const RobotClaim& other, const Co
   }
   // Voxels of two claims are the same only where both have a body within claimError() of them.
   const double enough = 2.0 * claimError(parameters);
-  return fmt::format("{}{} comes as near as {:.1f} mm to it: {:.1f} mm more between them are enough",
-                     names.name, where, mToMm(approach.least()),
-                     mToMm(std::max(0.0, enough - approach.least())));
+  return fmt::format("{}{} comes within {:.1f} mm of it: {:.1f} mm more distance is enough", names.name,
+                     where, mToMm(approach.least()), mToMm(std::max(0.0, enough - approach.least())));
 }
 
 }  // namespace cobot_command::cell

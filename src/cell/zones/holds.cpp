@@ -186,11 +186,11 @@ class Holder {
         leaves = leaves || !std::all_of(path.pieces.begin(), path.pieces.end(), is_inside);
       }
       if (leaves) continue;
-      faults_.push_back(fmt::format(
-          "{} never leaves {}, which {} share ({}): with this margin, its base or its program keeps "
-          "it inside all the time; at its home {}",
-          course_.name, zones_[zone].name, usersOf(zone), boxOf(zones_[zone], cell_.parameters.voxel),
-          othersIn(zone)));
+      faults_.push_back(
+          fmt::format("{} never leaves {}, which {} share ({}): with this margin, its base or its program "
+                      "keeps it inside permanently; at its home {}",
+                      course_.name, zones_[zone].name, usersOf(zone),
+                      boxOf(zones_[zone], cell_.parameters.voxel), othersIn(zone)));
     }
   }
 

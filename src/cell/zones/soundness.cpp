@@ -168,9 +168,8 @@ class Check {
   void tellFaults() {
     for (const auto& [names, least] : faulty_) {
       found_.faults.push_back(
-          fmt::format("{}; {}: {:.1f} mm may be left between them{}, and no zone keeps them apart (margin "
-                      "{:.1f} mm): {:.1f} "
-                      "mm more are needed",
+          fmt::format("{}; {}: only {:.1f} mm remain between them{}, and no zone separates them (margin "
+                      "{:.1f} mm): {:.1f} mm more are needed",
                       names.first, names.second, mToMm(least.left), least.bodies,
                       mToMm(cell_.parameters.margin), mToMm(cell_.parameters.margin - least.left)));
     }

@@ -131,10 +131,10 @@ Result<std::vector<Zone>, std::string> findZones(const std::vector<RobotClaim>& 
   std::vector<Zone> zones = sharedByPairs(claims, parameters);
   unite(zones, parameters.zone_overlap);
   if (zones.size() > static_cast<std::size_t>(parameters.max_zones)) {
-    return refuse(fmt::format(
-        "there are {} zones, and at most max_zones = {} are allowed: make zone_size larger, or zone_overlap "
-        "smaller",
-        zones.size(), parameters.max_zones));
+    return refuse(
+        fmt::format("there are {} zones, but at most max_zones = {} are allowed: make zone_size larger, or "
+                    "zone_overlap smaller",
+                    zones.size(), parameters.max_zones));
   }
   number(zones, claims);
   return zones;

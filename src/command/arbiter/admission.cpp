@@ -131,7 +131,7 @@ void Admission::refuseTurn(const Waiting& next, blocks::Outcome refusal) {
   desks_.queue.forgetPlan(next.id);
   sender_.forget();
   if (next.told_place > 0) {
-    desks_.queue.dropAll(fmt::format("the command in front of it, {}, was refused", toString(block)));
+    desks_.queue.dropAll(fmt::format("the command before it, {}, was refused", toString(block)));
   }
   parts_.board.end(block, next.id, std::move(refusal));
 }

@@ -12,7 +12,7 @@ namespace cobot_command::command {
 namespace {
 
 std::string cancelledInFront(blocks::Block block) {
-  return fmt::format("the command in front of it, {}, was cancelled", toString(block));
+  return fmt::format("the command before it, {}, was cancelled", toString(block));
 }
 
 }  // namespace
@@ -50,9 +50,9 @@ void Arbiter::cancel(blocks::GoalId id, Instant now, std::optional<blocks::GoalI
     parts_.exchange.cancel(now);
     return;
   }
-  if (aside_.cancel(id, "cancelled while it was interrupted", now)) {
+  if (aside_.cancel(id, "cancelled while it was suspended", now)) {
     if (!aside_.isThere() && queue_.empty()) {  // those that have not come to the core yet fall, too
-      queue_.dropAll("the command in front of it was cancelled", newest.value_or(queue_.newest()));
+      queue_.dropAll("the command before it was cancelled", newest.value_or(queue_.newest()));
     }
     return;
   }
@@ -199,7 +199,7 @@ void Arbiter::settleBeside(Instant now) {
     if (ended.goal != 0) parts_.board.end(ended.block, ended.goal, ended.outcome);
   }
   if (unanswered != nullptr) {
-    turns_.stopAll(fmt::format("stopped, as {} got no reply", unanswered), queue_.newest(), now);
+    turns_.stopAll(fmt::format("stopped, because {} got no reply", unanswered), queue_.newest(), now);
   }
 }
 

@@ -122,7 +122,8 @@ void FrontDesk::queueUp(blocks::GoalId id, const blocks::Goal& goal, const block
   append(failures, turns_.occupancy().objectionsToAny(mode, traits.needs_automatic));
   append(failures, of_interface);
   if (failures.empty() && turns_.isStoppingForLater() && mode == blocks::BufferMode::Refuse) {
-    failures.push_back({blocks::motion_error::kOtherBlockBusy, "what is under way is being interrupted", ""});
+    failures.push_back(
+        {blocks::motion_error::kOtherBlockBusy, "the running command is being interrupted", ""});
   }
   if (failures.empty() && traits.needs_standstill && !turns_.occupancy().robotStands()) {
     failures.push_back({blocks::motion_error::kOtherBlockBusy, "the robot moves", ""});

@@ -41,7 +41,7 @@ void GoalPlans::tellDifferences(const blocks::Goal& goal) {
   if (differences.empty()) return;
   parts_.actions.emplace_back(LogMessage{
       Severity::Warning,
-      fmt::format("{} is planned with the values here: {}", toString(blockOf(goal)), differences)});
+      fmt::format("{} is planned with the values of this node: {}", toString(blockOf(goal)), differences)});
 }
 
 /// But for what the forecast knows.

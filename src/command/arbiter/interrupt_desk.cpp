@@ -36,7 +36,7 @@ void InterruptDesk::interrupt(const InterruptReply& reply, Instant now) {
 
 InterruptAnswer InterruptDesk::objectionToInterrupting() const {
   if (state_ == State::Interrupted) {
-    return refusal(blocks::own_error::kInterruption, "it is interrupted already: continue lets it go on");
+    return refusal(blocks::own_error::kInterruption, "it is already interrupted: continue resumes it");
   }
   if (const auto objections = parts_.keeper.objectionsToCommands(); !objections.empty()) {
     return toAnswer(objections.front());
@@ -46,16 +46,16 @@ InterruptAnswer InterruptDesk::objectionToInterrupting() const {
   const bool is_there = turns_.isAnythingThere() || !desks_.queue.empty() || desks_.window.mayMove() ||
                         parts_.forecast.loose().mayMove();
   if (!is_there) {
-    return refusal(blocks::own_error::kInterruption, "nothing is under way, and nothing waits");
+    return refusal(blocks::own_error::kInterruption, "no goal is running or queued");
   }
   if (!parts_.robot.joints()) {
     return refusal(blocks::own_error::kStartUnknown,
-                   parts_.robot.whyNoJoints() + "; or use stop, which keeps nothing");
+                   parts_.robot.whyNoJoints() + "; or use stop, which discards all goals");
   }
   if (const auto why = whyNotLater()) {
     return refusal(blocks::own_error::kInterruption,
-                   fmt::format("what is under way could not go on later: {}; use stop, which keeps nothing, "
-                               "or PAUSE of program_control, which leaves the robot where it is",
+                   fmt::format("the running goal could not be continued later: {}; use stop, which discards "
+                               "all goals, or PAUSE of program_control, which leaves the robot where it is",
                                *why));
   }
   return {};
@@ -67,12 +67,11 @@ std::optional<std::string> InterruptDesk::whyNotLater() const {
   if (goes_on == GoesOn::Never) return fmt::format("{} cannot", toString(turns_.run()->block()));
   if (goes_on == GoesOn::ByCommands) return turns_.sender().objectionToResuming();
   if (turns_.sender().hasSent() && parts_.forecast.loose().mayMove()) {
-    return "a blended motion in front of the path is under way";
+    return "a blended motion before the path is running";
   }
   const blocks::PathPace pace = desks_.paths.pace();
   const bool can_restart = desks_.window.empty() || pace.can_restart || pace.is_restarting;
-  return can_restart ? std::nullopt
-                     : std::optional<std::string>("the path comes to its end, or is being stopped");
+  return can_restart ? std::nullopt : std::optional<std::string>("the path is ending, or is being stopped");
 }
 
 void InterruptDesk::goOn(const InterruptReply& reply, Instant now) {
@@ -101,7 +100,7 @@ InterruptAnswer InterruptDesk::objectionToGoingOn() const {
   const bool moves = desks_.stops.busy() || turns_.isAnythingThere() || !desks_.queue.empty() ||
                      parts_.forecast.loose().mayMove() || parts_.robot.moving().value_or(false);
   if (moves) {
-    return refusal(kContinueWhileStopping, "the robot moves, or another goal is under way: wait for it");
+    return refusal(kContinueWhileStopping, "the robot moves, or another goal is running: wait for it");
   }
   if (!parts_.robot.joints()) {
     return refusal(blocks::own_error::kStartUnknown, parts_.robot.whyNoJoints());
@@ -164,7 +163,7 @@ void InterruptDesk::fire(Event event, Instant now) {
       return;
     case InterruptAction::TellLost:
       answer(refusal(blocks::own_error::kInterruption,
-                     "what was under way ended before it could be set aside: see its result"));
+                     "the running goal ended before it could be suspended: see its result"));
       return;
     case InterruptAction::PutBack:
       putBack(now);
@@ -180,13 +179,13 @@ void InterruptDesk::setAside(Instant now) {
   if (desks_.aside.isEmpty()) {  // it was done in that very moment
     desks_.aside.drop(kInterrupted, now);
     answer(refusal(blocks::own_error::kInterruption,
-                   "what was under way was done before it could be interrupted"));
+                   "the running goal was done before it could be interrupted"));
     return;
   }
   const std::size_t waiting = desks_.aside.waiting();
   const auto block = desks_.aside.block();
   answer({true, 0,
-          fmt::format("interrupted{}; {} wait{}: continue lets it go on from here",
+          fmt::format("interrupted{}; {} wait{}: continue resumes from here",
                       desks_.aside.underWay() != 0 ? fmt::format(": {}", toString(*block)) : "", waiting,
                       waiting == 1 ? "s" : "")});
 }
@@ -209,9 +208,9 @@ Setup InterruptDesk::setup() const {
 }
 
 std::string InterruptDesk::goesOnText() const {
-  if (parts_.speed.isZero()) return "goes on when the speed override is above 0 %";
-  if (parts_.robot.held()) return "goes on when the robot is not held any more: by a pause, or a safeguard";
-  return "goes on from where it was interrupted";
+  if (parts_.speed.isZero()) return "continues when the speed override is above 0 %";
+  if (parts_.robot.held()) return "continues when the pause or the safeguard is released";
+  return "continues from where it was interrupted";
 }
 
 bool InterruptDesk::isAt(const arm::JointVector& place) const {

@@ -32,11 +32,11 @@ bool Interruption::moves() const {
 }
 
 void Interruption::stopWithout(Instant now) {
-  constexpr const char* kWhy = "exchange_configuration was disabled, which motions need";
+  constexpr const char* kWhy = "exchange_configuration, which motions require, was disabled";
   if (!moves() && desks_.queue.empty()) return;
-  parts_.actions.emplace_back(LogMessage{Severity::Error, std::string(kWhy) + ": the robot is told to stop",
-                                         blocks::exchange_error::kMandatoryStopped,
-                                         "enable it again before the next motion"});
+  parts_.actions.emplace_back(
+      LogMessage{Severity::Error, std::string(kWhy) + ": the robot is sent a stop command",
+                 blocks::exchange_error::kMandatoryStopped, "enable it again before the next motion"});
   turns_.stopAll(kWhy, desks_.queue.newest(), now);
 }
 

@@ -21,7 +21,8 @@ std::optional<blocks::Block> Occupancy::busyWith() const {
 std::vector<blocks::Failure> Occupancy::objectionsToAny(blocks::BufferMode mode, bool needs_automatic) const {
   std::vector<blocks::Failure> failures = parts_.keeper.objectionsToCommands();
   if (failures.empty() && !parts_.keeper.run().ready()) {
-    return {{blocks::motion_error::kNotConnected, "the first status frame is still awaited", "Wait for it"}};
+    return {
+        {blocks::motion_error::kNotConnected, "the first status frame has not arrived yet", "Wait for it"}};
   }
   const bool connected = failures.empty() || failures.front().error_id != blocks::motion_error::kNotConnected;
   if (!connected) {
@@ -117,11 +118,11 @@ std::string Occupancy::textOfPlace(int place) const {
   if (parts_.permit.interrupts()) return parts_.permit.text();
   if (parts_.speed.isZero()) return "waits until the speed override is above 0 %";
   if (parts_.hold.isHolding()) return "waits for the next motion";
-  if (place > 1) return "waits for its turn, others are in front of it";
-  if (run_) return "waits for its turn, one is in front of it";
+  if (place > 1) return "waits for its turn, after several others";
+  if (run_) return "waits for its turn, after one other";
   if (queue_.plansTheNext()) return "is planned as a whole, before its first move";
-  return stops_.holdsBack() ? fmt::format("waits until the robot stands: {}", stops_.heldBackBy())
-                            : "waits for its turn, until the robot stands";
+  return stops_.holdsBack() ? fmt::format("waits until the robot is at standstill: {}", stops_.heldBackBy())
+                            : "waits for its turn, until the robot is at standstill";
 }
 
 }  // namespace cobot_command::command

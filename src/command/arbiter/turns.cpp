@@ -98,7 +98,7 @@ void Turns::refuseLeft(const Left& left, const blocks::Failure& failure, Instant
   const std::string why =
       left.command.traits.awaits_motion
           ? fmt::format("the end of a blended motion could not be waited for: {}", failure.found)
-          : fmt::format("the rest of a blended {} could not go on: {}", toString(left.command.block),
+          : fmt::format("the rest of a blended {} could not be continued: {}", toString(left.command.block),
                         failure.found);
   parts_.actions.emplace_back(LogMessage{Severity::Error, why});
   abortAll(why, desks_.queue.newest(), now);
@@ -192,7 +192,7 @@ void Turns::endRun(Instant now) {
     stops_for_later_ = false;
     if (done->leavesMotions()) desks_.stops.askIfMoving(now);
     // Before the end of the goal itself: its error is what the block shows then.
-    desks_.queue.dropAll(fmt::format("the command in front of it, {}, failed", toString(done->block())));
+    desks_.queue.dropAll(fmt::format("the command before it, {}, failed", toString(done->block())));
   }
   desks_.aside.ended(done->goal(), done->outcome()->ending == blocks::Ending::Done,
                      {parts_.forecast.frames(), parts_.forecast.load()});

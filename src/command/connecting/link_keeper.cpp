@@ -24,7 +24,7 @@ std::vector<blocks::Failure> LinkKeeper::objectionsTo(const blocks::ConnectGoal&
   } else if (run_.busy() && may_move && !run_.isSameController(goal)) {
     failures.push_back({blocks::own_error::kConnectBusy,
                         fmt::format("the robot at {} may still move", target),
-                        "Stop that robot first (stop), or wait until it stands"});
+                        "Stop that robot first (stop), or wait until it is at standstill"});
   }
   return failures;
 }
@@ -70,8 +70,8 @@ bool LinkKeeper::keepOn(Instant now) {
 
 std::string LinkKeeper::textOfTheRobotLeft() const {
   if (!left_moving_) return "";
-  return fmt::format("the link to {}:{} was lost with a motion under way: {}", left_moving_->host,
-                     left_moving_->port, robot::LooseMotion::kMayStillMove);
+  return fmt::format("the link to {}:{} was lost during a motion: {}", left_moving_->host, left_moving_->port,
+                     robot::LooseMotion::kMayStillMove);
 }
 
 void LinkKeeper::lookForTheRobotLeft() {

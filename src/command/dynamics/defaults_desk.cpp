@@ -4,10 +4,10 @@ namespace cobot_command::command {
 
 DynamicsAnswer DefaultsDesk::write(const blocks::DefaultDynamics& defaults) {
   if (const auto fault = faultIn(defaults)) {
-    return {false, dynamics_error::kDefaultDynamics, *fault + "; the defaults before rule on"};
+    return {false, dynamics_error::kDefaultDynamics, *fault + "; the previous defaults remain in effect"};
   }
   defaults_ = defaults;
-  return {true, 0, "they count for the goals that come from now on"};
+  return {true, 0, "they apply to goals that arrive from now on"};
 }
 
 std::optional<blocks::Goal> DefaultsDesk::filled(const blocks::Goal& goal) const {

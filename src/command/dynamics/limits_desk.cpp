@@ -35,8 +35,8 @@ std::optional<std::string> faultIn(const SoftwareLimits& limits, const SoftwareL
     const bool is_within = lower >= model.lower[i] - kRounding && upper <= model.upper[i] + kRounding;
     if (is_within && upper - lower > 2 * kRounding) continue;  // false for NaN too
     return fmt::format(
-        "J{} is to stay between {:.6g} and {:.6g} deg, allowed: the lower one below the upper "
-        "one, and both within those of the model, {:.6g} to {:.6g} deg",
+        "the limits of J{} are {:.6g} and {:.6g} deg, allowed: the lower one below the upper one, and both "
+        "within those of the model, {:.6g} to {:.6g} deg",
         i + 1, radToDeg(lower), radToDeg(upper), radToDeg(model.lower[i]), radToDeg(model.upper[i]));
   }
   return std::nullopt;
@@ -51,18 +51,16 @@ DynamicsAnswer LimitsDesk::write(const SoftwareLimits& limits, bool under_way) {
   const arm::ArmModel* const arm = forecast_.arm();
   if (arm == nullptr) {
     return {false, blocks::own_error::kNoModel,
-            "no model of the arm is known: nothing is planned, and nothing "
-            "can be limited"};
+            "there is no model of the arm: nothing is planned, and nothing can be limited"};
   }
   const SoftwareLimits model = limitsOf(*arm);
   if (const auto fault = faultIn(limits, model)) {
-    return {false, dynamics_error::kLimitsInvalid, *fault + "; the limits before rule on"};
+    return {false, dynamics_error::kLimitsInvalid, *fault + "; the previous limits remain in effect"};
   }
   if (under_way || robot_.moving().value_or(false)) {
     return {false, dynamics_error::kLimitsWhileMoving,
-            "a goal is under way or waits, or the robot moves: set them when it stands, and nothing waits; a "
-            "stop "
-            "ends all of it"};
+            "a goal is running or queued, or the robot moves: set the limits when the robot is at standstill "
+            "and no goal is queued; a stop ends all goals"};
   }
   auto limited = std::make_shared<const arm::ArmModel>(
       arm->limitedTo(limits.lower.cwiseMax(model.lower), limits.upper.cwiseMin(model.upper)));
@@ -76,8 +74,8 @@ DynamicsAnswer LimitsDesk::write(const SoftwareLimits& limits, bool under_way) {
   forecast_.useLimits(limited);
   actions_.emplace_back(SoftwareLimitsChanged{std::move(limited)});
   return {true, 0,
-          joints ? "every plan is made with them from now on"
-                 : "every plan is made with them from now on; where the robot stands nobody knows"};
+          joints ? "they apply to every plan from now on"
+                 : "they apply to every plan from now on; the position of the robot is unknown"};
 }
 
 std::optional<ReferenceDynamics> LimitsDesk::reference() const {
@@ -106,10 +104,10 @@ std::string LimitsDesk::excess() const {
     if (is_inside) continue;
     const bool is_none = theirs_->lower[i] >= theirs_->upper[i];
     text += fmt::format(
-        "{}J{} is kept between {:.6g} and {:.6g} deg by the controller's safety functions{}, and planned "
-        "between {:.6g} and {:.6g} deg here",
+        "{}the controller's safety functions limit J{} to {:.6g}..{:.6g} deg{}, and this node plans it "
+        "within {:.6g}..{:.6g} deg",
         text.empty() ? "" : "; ", i + 1, radToDeg(theirs_->lower[i]), radToDeg(theirs_->upper[i]),
-        is_none ? ", which are no limits: where it has none, do not enable software_limits" : "",
+        is_none ? ", which are no limits: if the controller has none, do not enable software_limits" : "",
         radToDeg(ours.lower[i]), radToDeg(ours.upper[i]));
   }
   return text;

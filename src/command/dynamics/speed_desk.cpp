@@ -16,8 +16,7 @@ void SpeedDesk::set(double percent, const OverrideReply& reply, Instant now) {
     OverrideAnswer refusal;
     refusal.error_id = kSpeedOverrideRange;
     refusal.message = fmt::format(
-        "the speed override is {} %, allowed: 0 to {}: choose one in this range; "
-        "{:.6g} % rules on",
+        "the speed override is {} %, allowed: 0 to {}: choose one in this range; {:.6g} % remains in effect",
         percent, kPercent, core_.speed.percent());
     refusal.effective = effective();
     reply(refusal);
@@ -36,11 +35,11 @@ void SpeedDesk::set(double percent, const OverrideReply& reply, Instant now) {
 /// A robot that stands needs no pause: nothing is sent to it.
 void SpeedDesk::hold(const OverrideReply& reply, Instant now) {
   if (!core_.pause.isHeldBy(Holder::Override) && !core_.may_move()) {
-    answerWith(reply, {true, 0, ""}, "nothing moves, and nothing is sent until it is above 0");
+    answerWith(reply, {true, 0, ""}, "no motion is running, and nothing is sent until it is above 0");
     return;
   }
   const auto done = [this, reply](const PauseDesk::Answer& answer) {
-    answerWith(reply, answer, "the robot is held, and nothing is sent until it is above 0");
+    answerWith(reply, answer, "the robot is paused, and nothing is sent until it is above 0");
   };
   core_.pause.hold(Holder::Override, done, now);
 }
@@ -64,8 +63,8 @@ bool SpeedDesk::isSafeguarded() const {
 
 std::string SpeedDesk::textOfNow() const {
   const auto share = core_.window.speedShare();
-  if (!share && !core_.may_move()) return "it counts from the next motion on";
-  return "what the controller has goes on as it was sent; it counts from the next motion on";
+  if (!share && !core_.may_move()) return "it applies from the next motion on";
+  return "motions at the controller keep their speed; it applies from the next motion on";
 }
 
 void SpeedDesk::answerWith(const OverrideReply& reply, const PauseDesk::Answer& answer,

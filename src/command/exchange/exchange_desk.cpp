@@ -70,20 +70,20 @@ ExchangeAnswer ExchangeDesk::update(const blocks::ExchangeSettings& settings, In
   ExchangeAnswer answer;
   if (!isEnabled()) {
     answer.error_id = blocks::exchange_error::kNotEnabled;
-    answer.message = "no exchange_configuration goal is enabled: send one, and wait until it is";
+    answer.message = "no exchange_configuration goal is enabled: send one, and wait until it is enabled";
     return answer;
   }
   if (const auto failures = check(settings); !failures.empty()) {
     const blocks::Outcome refusal = toRejection(kBlock, {failures.front()});
     answer.error_id = refusal.error_id;
-    answer.message =
-        fmt::format("{}. {}. The settings before it rule on", refusal.error_description, refusal.remedy);
+    answer.message = fmt::format("{}. {}. The previous settings remain in effect", refusal.error_description,
+                                 refusal.remedy);
     return answer;
   }
   update_ = settings;
   fire(Event::Update, now);
   answer.success = true;
-  answer.message = fmt::format("they rule, as par_seq {}", report_.par_seq);
+  answer.message = fmt::format("they are in effect, as par_seq {}", report_.par_seq);
   return answer;
 }
 
@@ -128,11 +128,10 @@ void ExchangeDesk::loseLifeSign(Instant now) {
   if (!script.established()) return;
   life_sign_lost_ = true;
   script.sendScript(toText(script::StopAndClearBuffer{}), now);
-  script.giveUp(
-      fmt::format("no life sign of the controller for {} ms; it was told to stop, which it may not have "
-                  "heard: it does not stop by itself when its client is gone",
-                  goal_.settings.life_sign_time_out),
-      now);
+  script.giveUp(fmt::format("no life sign of the controller for {} ms; it was sent a stop command, which it "
+                            "may not have received: it does not stop automatically when its client is gone",
+                            goal_.settings.life_sign_time_out),
+                now);
 }
 
 void ExchangeDesk::fire(Event event, Instant now) {
@@ -318,7 +317,7 @@ void ExchangeDesk::tell(Instant now) {
     progress.text = "is being disabled";
   } else {
     progress.phase = blocks::Phase::Connecting;
-    progress.text = "waits for a link that is ready: " + core_.keeper.diagnosis();
+    progress.text = "waits until the link is ready: " + core_.keeper.diagnosis();
   }
   progress.detail = blocks::Detail(report_);
   core_.board.progress(kBlock, *id_, std::move(progress));

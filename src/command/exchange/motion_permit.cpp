@@ -31,7 +31,7 @@ bool MotionPermit::holdsBack(const blocks::GoalTraits& traits, bool robot_stands
 
 std::string MotionPermit::text() const {
   const std::string why = guard_.deniesResume() ? sync_.whyNot() : "";
-  return why.empty() ? "interrupted, as data were out of sync: program_control with RESUME lets it go on"
+  return why.empty() ? "interrupted, because data were out of sync: program_control with RESUME continues it"
                      : "interrupted: " + why;
 }
 

@@ -104,26 +104,26 @@ Origin Forecast::origin(Instant now) const {
 
 std::string Forecast::whyStartUnknown() const {
   if (!robot_.joints()) return robot_.whyNoJoints();
-  if (robot_.moving().value_or(false)) return "the robot moves, and nobody knows to where";
-  if (loose_.endsUnknown()) return "it comes after a motion of which nobody knows where it ends";
-  return "a command before it leaves the robot where nobody knows";
+  if (robot_.moving().value_or(false)) return "the robot moves, and its destination is unknown";
+  if (loose_.endsUnknown()) return "it follows a motion whose end is unknown";
+  return "a command before it leaves the robot at an unknown position";
 }
 
 std::string Forecast::whyUnplanned(const CommandOrder& order, const Origin& origin) const {
   if (!order.moves || order.is_open_ended) return "";  // these have no plan
-  if (!arm_) return "the command layer knows no model of the arm";
-  if (!order.commands) return "its lines say more than the command layer can read";
+  if (!arm_) return "the command layer has no model of the arm";
+  if (!order.commands) return "the command layer cannot interpret its lines";
   if (!origin.start.joints) return whyStartUnknown();
   const auto unknown = [](const char* what, const std::string& name, const char* item, bool is_streamed) {
     return fmt::format("the value of the active {}{} is not known{}", what,
                        name.empty() ? "" : " " + quoted(name),
-                       is_streamed ? "" : ", as " + link::lackOf(item));
+                       is_streamed ? "" : ", because " + link::lackOf(item));
   };
   const robot::ActiveFrames active = frames();
   const auto& status = robot_.status();
   if (!origin.start.base) return unknown("base", active.base_name, "Base_Value", !status || status->base);
   if (!origin.start.tcp) return unknown("TCP", active.tcp_name, "TCP_Value", !status || robot_.tcp());
-  return "what its lines do cannot be foreseen";
+  return "the effect of its lines cannot be predicted";
 }
 
 Result<CommandOrder, blocks::Failure> Forecast::order(const blocks::Command& command) const {

@@ -23,7 +23,7 @@ Message emergencyStop() {
           blocks::own_error::kEmergencyStop,
           kRobot,
           "emergency stop",
-          "release it, and start the project again where that is needed"};
+          "release it, and start the project again if necessary"};
 }
 
 Message queueNearlyFull() {
@@ -33,7 +33,7 @@ Message queueNearlyFull() {
           MessageType::Interface,
           blocks::exchange_note::kQueueUsage,
           kQueue,
-          "80 % of the commands wait that can wait",
+          "the queue of commands is 80 % full",
           "send no more until some are done: further ones are refused when it is full (16#216)"};
 }
 
@@ -46,7 +46,7 @@ Message scriptWarning(blocks::Block block, const blocks::Remarks& remarks) {
           0,
           toString(block),
           remarks.textOfWarnings(),
-          "look at these lines: the controller has carried them out, but may not do so in another version"};
+          "check these lines: the controller has executed them, but another version might not"};
 }
 
 Message itemsMissing(const std::vector<link::StreamItem>& missing) {

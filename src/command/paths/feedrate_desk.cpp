@@ -24,19 +24,17 @@ std::optional<FeedrateAnswer> objectionTo(double percent, bool restarts, const b
   constexpr double kLeast = kPercent * path::kLowestFeedrate;
   constexpr double kMost = kPercent * path::kHighestFeedrate;
   if (percent != 0 && !(percent >= kLeast && percent <= kMost)) {
-    return refusal(
-        blocks::own_error::kFeedrateRange,
-        fmt::format("the feedrate is {} %, allowed: 0 to {}, and {:.6g} at least where it is above 0: "
-                    "choose one in this range",
-                    percent, kMost, kLeast));
+    return refusal(blocks::own_error::kFeedrateRange,
+                   fmt::format("the feedrate is {} %, allowed: 0 to {}, and at least {:.6g} if it is above "
+                               "0: choose one in this range",
+                               percent, kMost, kLeast));
   }
   const double highest = kPercent * (restarts ? pace.highest_of_all : pace.highest);
   if (percent <= highest * (1 + 1e-9)) return std::nullopt;
-  return refusal(
-      blocks::own_error::kJointSpeed,
-      fmt::format("at {:.6g} % a joint would be faster than its rated speed on a path that is loaded; "
-                  "highest that fits: {:.1f} %",
-                  percent, std::floor(10 * highest) / 10));
+  return refusal(blocks::own_error::kJointSpeed,
+                 fmt::format("at {:.6g} % a joint would exceed its rated speed on a loaded path; highest "
+                             "possible feedrate: {:.1f} %",
+                             percent, std::floor(10 * highest) / 10));
 }
 
 }  // namespace
@@ -69,8 +67,7 @@ void FeedrateDesk::set(const FeedrateRequest& request, const FeedrateReply& repl
 void FeedrateDesk::stop(const blocks::PathPace& pace, Waiting waiting, Instant now) {
   ++requests_;
   core_.desk.stop(true);
-  waiting.answer.message =
-      pace.running ? "the path is stopped on its way: resume_path lets it go on" : kWaits;
+  waiting.answer.message = pace.running ? "the path is stopped: resume_path continues it" : kWaits;
   if (core_.pause.isPausedByOthers()) waiting.answer.message = kWaits;
   if (!pace.running && !core_.pause.isPausing() && !core_.pause.isPausedByOthers()) {
     waiting.reply(waiting.answer);
@@ -89,10 +86,10 @@ void FeedrateDesk::letGo(const blocks::PathPace& pace, double feedrate, Waiting 
   waiting.answer.from_point = waiting.restarts ? pace.active_point : is_same ? -1 : pace.next_point;
   if (waiting.restarts) {
     waiting.answer.message =
-        "the path is stopped, and goes on from where the robot stands when it is planned";
+        "the path is stopped, and continues from the position of the robot when it has been planned";
   } else if (pace.running && *pace.running != asked) {
     waiting.answer.message =
-        fmt::format("what the controller has goes on at {:.6g} %", waiting.answer.effective);
+        fmt::format("motions at the controller continue at {:.6g} %", waiting.answer.effective);
   }
   const auto done = [waiting, request = ++requests_, this](const PauseDesk::Answer& answer) {
     const bool is_meant_still = request == requests_;
@@ -106,7 +103,7 @@ void FeedrateDesk::letGo(const blocks::PathPace& pace, double feedrate, Waiting 
 void FeedrateDesk::restart(const blocks::PathPace& pace, double feedrate, Waiting waiting, Instant now) {
   core_.turn.restart();
   core_.forecast.forgetPath();
-  core_.window.cancel("its feedrate is another one", now);
+  core_.window.cancel("its feedrate has changed", now);
   waiting.restarts = true;
   letGo(pace, feedrate, std::move(waiting), now);
 }

@@ -9,8 +9,8 @@ namespace cobot_command::command {
 namespace {
 
 constexpr const char* nameOf(PauseDesk::Holder holder) {
-  return holder == PauseDesk::Holder::Path ? "a path that is stopped on its way holds the robot"
-                                           : "the speed override of 0 % holds the robot";
+  return holder == PauseDesk::Holder::Path ? "a stopped path pauses the robot"
+                                           : "the speed override of 0 % pauses the robot";
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ void PauseDesk::send(State state, const Reply& reply, Instant now) {
   if (const auto failures = core_.objections(); !failures.empty()) {
     if (state_ == State::None) holders_.clear();
     leaving_.reset();
-    reply({false, failures.front().error_id, "there is no connection over which the robot could be told"});
+    reply({false, failures.front().error_id, "there is no connection to the robot"});
     return;
   }
   changeTo(state);
@@ -102,7 +102,7 @@ void PauseDesk::endedForGood(const CommandWindow::Ended& ended) {
     goalEnded(true);
   } else {
     core_.actions.emplace_back(LogMessage{
-        Severity::Warning, "the controller has not taken a pause: " + ended.outcome.error_description});
+        Severity::Warning, "the controller has not accepted a pause: " + ended.outcome.error_description});
   }
 }
 
@@ -132,7 +132,7 @@ void PauseDesk::ended(const CommandWindow::Ended& ended) {
   Answer answer{is_done, 0, ""};
   if (!is_done) {
     answer = {false, ended.outcome.error_id,
-              "the controller has not taken it: " + ended.outcome.error_description};
+              "the controller has not accepted it: " + ended.outcome.error_description};
   }
   for (const Waiting& waiting : answered) waiting.reply(answer);
 }
@@ -158,9 +158,9 @@ bool PauseDesk::isPausedByOthers() const {
 std::string PauseDesk::heldByOthers() const {
   if (!core_.robot.held() && !others_pause_) return "";
   if (!core_.robot.paused() && !others_pause_) {
-    return "a safeguard holds the robot: it goes on when that is released";
+    return "a safeguard stops the robot: it continues when the safeguard is released";
   }
-  return "the project is paused: program_control with RESUME, or the pendant, lets it go on";
+  return "the project is paused: program_control with RESUME, or the pendant, continues it";
 }
 
 /// An emergency stop, and a project that is stopped, end a pause, too; what was to be held stays so.
@@ -181,9 +181,10 @@ void PauseDesk::letGoByOthers() {
   const bool was_path = isHeldBy(Holder::Path);
   if (state_ == State::Paused) {
     core_.actions.emplace_back(LogMessage{
-        Severity::Warning, was_path ? "the project goes on, though the path was stopped: somebody let it go"
-                                    : "the project goes on, though the speed override is 0 %: somebody "
-                                      "let it go; nothing more is sent"});
+        Severity::Warning, was_path ? "the project continues although the path was stopped: another client "
+                                      "or the pendant has resumed it"
+                                    : "the project continues although the speed override is 0 %: another "
+                                      "client or the pendant has resumed it; nothing more is sent"});
   }
   changeTo(State::None);
   if (was_path) core_.paths.stop(false);

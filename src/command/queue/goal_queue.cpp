@@ -90,8 +90,7 @@ bool GoalQueue::drop(blocks::GoalId id, const std::string& why) {
                         [&](const Waiting& w) { return blockOf(w.goal) != blockOf(found->goal); });
   }
   const auto count = last - found;
-  const std::string in_front =
-      fmt::format("the {} in front of it was cancelled", toString(blockOf(found->goal)));
+  const std::string in_front = fmt::format("the {} before it was cancelled", toString(blockOf(found->goal)));
   for (auto i = count - 1; i >= 0; --i) {
     const auto waiting = at(id) + i;
     end(waiting, blocks::commandAborted(i == 0 ? why : in_front));

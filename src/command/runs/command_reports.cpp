@@ -18,15 +18,14 @@ constexpr double kNearlyDone = 0.99;
 /// "..., held by ...: what continues it".
 std::string holdText(const robot::RobotWatch& robot, const CommandOrder& order, bool waits) {
   constexpr const char* kResume =
-      "program_control with RESUME, or the pendant, continues it; a speed override of 0, which holds it as "
-      "well, has to be raised";
-  const char* in_front = waits ? "waits for the motion in front of it, " : "";
+      "program_control with RESUME, or the pendant, continues it; a speed override of 0 pauses it, too, and "
+      "must be raised";
+  const char* in_front = waits ? "waits for the motion before it, " : "";
   if (!robot.paused()) {
-    return fmt::format("{}held by a safeguard: it goes on when that is released", in_front);
+    return fmt::format("{}stopped by a safeguard: it continues when that is released", in_front);
   }
   return fmt::format("{}{}: {}", in_front,
-                     order.pauses ? "held by a Pause() in the script" : "held, the project is paused",
-                     kResume);
+                     order.pauses ? "paused by a Pause() in the script" : "the project is paused", kResume);
 }
 
 }  // namespace
@@ -66,7 +65,7 @@ void CommandReports::tell(blocks::Phase phase, std::string text, Instant now) {
 
 void CommandReports::goOn(Instant now) {
   if (!clock_.mayExecute(now)) {
-    tell(blocks::Phase::Queued, "accepted, waits for the motion in front of it", now);
+    tell(blocks::Phase::Queued, "accepted, waits for the motion before it", now);
     return;
   }
   clock_.execute(now);

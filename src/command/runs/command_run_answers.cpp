@@ -35,8 +35,8 @@ std::string namedLines(const std::vector<std::string>& script, std::vector<int> 
   }
   if (named > kMaxNamed) text += fmt::format("; and {} more lines", named - kMaxNamed);
   if (ours == lines.end()) return text;
-  return fmt::format("{}{}the controller named {} that a script of {} lines has not, such as line {}", text,
-                     text.empty() ? "" : "; ",
+  return fmt::format("{}{}the controller named {} that the script of {} lines does not have, such as line {}",
+                     text, text.empty() ? "" : "; ",
                      lines.end() - ours == 1 ? "one" : fmt::format("{} lines", lines.end() - ours),
                      script.size(), *ours);
 }
@@ -123,7 +123,7 @@ void CommandRun::tagIncomplete(protocol::TagState state, Instant now) {
          Robot::Stop, now);
   } else {
     fail({blocks::motion_error::kMotionFailed,
-          fmt::format("the robot stands, tag {} is not complete", *order_.tag), ""},
+          fmt::format("the robot is at standstill, tag {} is not complete", *order_.tag), ""},
          Robot::Stop, now);
   }
 }
@@ -134,7 +134,7 @@ void CommandRun::tagQueryFailed(const std::string& reason, Instant now) {
     fire(Event::StillGoing, now);
     return;
   }
-  fail({blocks::motion_error::kReceiveTag, fmt::format("tag {} was asked for: {}", *order_.tag, reason), ""},
+  fail({blocks::motion_error::kReceiveTag, fmt::format("tag {} was queried: {}", *order_.tag, reason), ""},
        Robot::Stop, now);
 }
 

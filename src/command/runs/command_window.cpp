@@ -29,7 +29,7 @@ blocks::Outcome withMotion(const blocks::Outcome& exit, const blocks::Outcome& m
   outcome.remarks.add(exit.remarks);
   if (exit.ending != blocks::Ending::Done) {
     outcome.error_description =
-        exit.error_description + " (the motion was done, the Listen node was to be left)";
+        exit.error_description + " (the motion was done, but the Listen node was not left)";
   }
   return outcome;
 }
@@ -293,7 +293,7 @@ void CommandWindow::takeAlong(std::list<Sent>::iterator failed, Instant now) {
   const auto first = failed->run.asksForStop() ? ordered_.begin() : std::next(failed);
   for (auto sent = ordered_.end(); sent != first;) {
     --sent;
-    if (sent != failed) sent->run.cancel("a command beside it failed", now);
+    if (sent != failed) sent->run.cancel("a command sent with it failed", now);
   }
 }
 

@@ -19,8 +19,8 @@ bool Evidence::stalledOnTheWay() const {
 std::string Evidence::stallText(int tag) const {
   const auto to_go = gap();
   return fmt::format(
-      "the robot stands{}, nothing holds it, and the controller does not know tag {} any more: "
-      "another client or the project has stopped the robot",
+      "the robot is at standstill{}, no pause and no safeguard stops it, and the controller no longer knows "
+      "tag {}: another client or the project has stopped the robot",
       to_go ? ", " + to_go->text : "", tag);
 }
 
@@ -39,10 +39,12 @@ bool Evidence::confirms() {
 std::string Evidence::whyUnseen() const {
   if (reached_) return "";
   if (!robot_.tellsMotion()) {
-    return "its queue tag alone says that it is done, as " + robot_.whyNoJoints();
+    return "only its queue tag reports that it is done, because " + robot_.whyNoJoints();
   }
   const bool shows_no_place = target_ && !gap();
-  return shows_no_place ? "it was seen to stand, but not where, as " + robot_.whyNoJoints() : "";
+  return shows_no_place
+             ? "the robot is at standstill, but its position is not known, because " + robot_.whyNoJoints()
+             : "";
 }
 
 /// It was at its target, and moves on at once: that is another client's motion, and none of this goal's

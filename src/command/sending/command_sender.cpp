@@ -50,7 +50,7 @@ void CommandSender::ended(const CommandWindow::Ended& ended) {
 
 std::optional<std::string> CommandSender::objectionToResuming() const {
   if (trail_.empty()) return std::nullopt;
-  if (forecast_.arm() == nullptr) return "the command layer knows no model of the arm";
+  if (forecast_.arm() == nullptr) return "the command layer has no model of the arm";
   return trail_.objection();
 }
 

@@ -18,8 +18,8 @@ NextCommand::State NextCommand::look(const blocks::Command& command, blocks::Goa
   const bool has_its_speed = asked_->speed_share == forecast_.speedShare();
   if (has_its_speed && isStillGood(*asked_->planned, origin)) return take(*asked_->planned, origin);
   if (now - asked_->first < settings_.planning_budget) return make(command, goal, asked_->first, now);
-  return refuse({blocks::own_error::kPlanningBudget,
-                 "what it starts from changed each time before its plan was made", ""});
+  return refuse(
+      {blocks::own_error::kPlanningBudget, "its start changed each time before its plan was complete", ""});
 }
 
 NextCommand::State NextCommand::make(const blocks::Command& command, blocks::GoalId goal, Instant first,

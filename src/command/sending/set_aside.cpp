@@ -26,8 +26,7 @@ std::string nameOf(const std::string& name) {
   return name.empty() ? "given by value" : name;
 }
 
-constexpr const char* kInterrupted =
-    "interrupted: continue lets it go on, from where the robot was interrupted";
+constexpr const char* kInterrupted = "interrupted: continue resumes it from where the robot was interrupted";
 
 }  // namespace
 
@@ -141,7 +140,7 @@ bool SetAside::cancel(blocks::GoalId goal, const std::string& why, Instant now) 
       tellReports(*aside_.run, aside_.holds, board_, actions_);
       return true;
     }
-    dropWaiting(fmt::format("the command in front of it, {}, was cancelled", toString(aside_.run->block())));
+    dropWaiting(fmt::format("the command before it, {}, was cancelled", toString(aside_.run->block())));
     aside_.run->cancel(why, now);
     endRun(blocks::commandAborted(why), now);
     endIfOver();

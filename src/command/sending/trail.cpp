@@ -140,7 +140,7 @@ std::optional<std::string> Trail::objection() const {
   for (std::size_t i = place_.step; i < steps_.size(); ++i) {
     const Step& step = steps_[i];
     if (step.has_own_flow) {
-      return fmt::format("{} has lines that cannot be taken up again", toString(step.command.block));
+      return fmt::format("{} has lines that cannot be resumed", toString(step.command.block));
     }
     if (auto why = planning::whyNotResumable(step.lines)) {
       return fmt::format("{}: {}", toString(step.command.block), *why);

@@ -36,11 +36,11 @@ std::pair<std::string, StopEnd> refusalIn(const link::ScriptAnswered& answer) {
 
 const char* StopRun::Result::words() const {
   if (end == StopEnd::Unseen) {
-    return "the controller accepted the stop, but no status stream tells whether the robot stands";
+    return "the controller accepted the stop, but no status stream shows whether the robot is at standstill";
   }
-  return end == StopEnd::AtTarget
-             ? "the robot stands at the target of the motion: nothing shows that the stop took effect"
-             : "the robot was stopped";
+  return end == StopEnd::AtTarget ? "the robot is at standstill at the target of the motion: nothing shows "
+                                    "that the stop took effect"
+                                  : "the robot was stopped";
 }
 
 void StopRun::ask(const std::optional<robot::Target>& target, Instant now) {
@@ -111,7 +111,7 @@ void StopRun::judge(Stop& stop) {
   const char* found =
       robot_.moving() == true
           ? "the robot still moves after the accepted stop"
-          : "the stop was accepted, but the status stream did not go on to show the robot standing";
+          : "the stop was accepted, but the status stream did not then show the robot at standstill";
   giveUp(stop, {blocks::own_error::kStopNotConfirmed, found, ""});
 }
 

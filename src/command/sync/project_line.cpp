@@ -11,19 +11,19 @@ namespace {
 
 ProjectLine::Result resultOf(const link::ScriptAnswered& answered) {
   using Result = ProjectLine::Result;
-  return std::visit(Overloaded{[](const protocol::ScriptReply& reply) -> Result {
-                                 if (reply.accepted) return ProjectLine::Written{};
-                                 return ProjectLine::NotWritten{
-                                     fmt::format("the controller refuses line {} of the script that writes",
-                                                 fmt::join(reply.lines, ", "))};
-                               },
-                               [](const protocol::CommunicationError& error) -> Result {
-                                 return ProjectLine::NotWritten{protocol::describe(error)};
-                               },
-                               [](const link::NoReply&) -> Result {
-                                 return ProjectLine::NotWritten{"no reply to the script that writes"};
-                               }},
-                    answered.answer);
+  return std::visit(
+      Overloaded{[](const protocol::ScriptReply& reply) -> Result {
+                   if (reply.accepted) return ProjectLine::Written{};
+                   return ProjectLine::NotWritten{fmt::format(
+                       "the controller refuses line {} of the write script", fmt::join(reply.lines, ", "))};
+                 },
+                 [](const protocol::CommunicationError& error) -> Result {
+                   return ProjectLine::NotWritten{protocol::describe(error)};
+                 },
+                 [](const link::NoReply&) -> Result {
+                   return ProjectLine::NotWritten{"no reply to the write script"};
+                 }},
+      answered.answer);
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ void ProjectLine::write(const std::vector<script::AttributeWrite>& writes, Insta
 }
 
 void ProjectLine::forget() {
-  static_cast<void>(ledger_.lost("nobody waits for it"));
+  static_cast<void>(ledger_.lost("no client waits for it"));
   writing_.reset();
   result_.reset();
 }

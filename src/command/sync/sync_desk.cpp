@@ -66,7 +66,7 @@ bool isOf(Kind kind, const script::AttributeRead& read) {
 }
 
 std::string staleText(const char* set) {
-  return fmt::format("data_in_sync says that the caller's own {} are not up to date", set);
+  return fmt::format("data_in_sync reports that the caller's own {} are not up to date", set);
 }
 
 Message warning(int code, std::string text, std::string remedy) {
@@ -299,9 +299,8 @@ std::string SyncDesk::whyNot() const {
 
 std::string SyncDesk::remedy() const {
   if (!is_active_ || limitsReason().empty()) return "";
-  return "Set them back on the pendant, then RESUME with program_control; or stop, and narrow those here "
-         "with "
-         "write_software_limits";
+  return "Set the controller's limits back on the pendant, then RESUME with program_control; or stop, and "
+         "narrow the limits of this node with write_software_limits";
 }
 
 std::string SyncDesk::differencesIn(const tables::Use& use) const {
@@ -346,8 +345,8 @@ void SyncDesk::tell() {
     core_.messages.show(
         is_conflict,
         warning(numbers.conflict,
-                fmt::format("{} were changed here and on the controller: nobody wins", numbers.name),
-                "write the entry that is meant, or change it back on the pendant"));
+                fmt::format("{} were changed here and on the controller: neither is copied", numbers.name),
+                "write the intended entry, or change it back on the pendant"));
     Kind blamed = kind;
     if (is_tools && unreachableText(kind).empty()) blamed = Kind::Load;
     const std::string unreachable = unreachableText(blamed);
@@ -369,9 +368,8 @@ std::string SyncDesk::remedyOf(Kind kind) const {
       std::any_of(unknown_.begin(), unknown_.end(), [kind](const auto& read) { return isOf(kind, read); });
   return has_unknown_names || !unwritten_.of(kind).empty()
              ? "give the names as the project has them; see doc/tables.md"
-             : "nothing, where it passes: it is tried again by itself. Else see what keeps the controller "
-               "from "
-               "it: another client, the flow outside the Listen node, or TMflow before 1.76";
+             : "wait: the controller is queried again automatically. If the problem persists, check for "
+               "another client, a flow outside the Listen node, or TMflow before 1.76";
 }
 
 /// Once, until it is so no more.

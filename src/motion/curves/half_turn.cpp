@@ -31,12 +31,11 @@ std::optional<Refusal> ambiguousTurn(double turn, const arm::Pose& to, const cha
   if (!isAmbiguous(turn, setting)) {
     return std::nullopt;
   }
-  return refusal(
-      -1, setting.base.inverse() * to,
-      fmt::format(
-          "the {} turns the TCP by {:.2f} deg, and half a turn (to {:.1f} deg) can be made either way round: "
-          "go by a point between, at which the TCP has turned part of the way, or use PTP to joints",
-          name, radToDeg(turn), radToDeg(setting.start_tolerance)));
+  return refusal(-1, setting.base.inverse() * to,
+                 fmt::format("the {} turns the TCP by {:.2f} deg, and half a turn (to {:.1f} deg) can be "
+                             "made in either direction: add an intermediate point at which the TCP has made "
+                             "part of the turn, or use PTP to joints",
+                             name, radToDeg(turn), radToDeg(setting.start_tolerance)));
 }
 
 std::optional<Refusal> ambiguousPosture(const arm::ArmModel& arm, const arm::JointVector& start,
@@ -53,11 +52,10 @@ std::optional<Refusal> ambiguousPosture(const arm::ArmModel& arm, const arm::Joi
     }
     return refusal(
         static_cast<int>(i), point,
-        fmt::format("J{} turns by {:.2f} deg to {:.2f} deg, and comes to the same pose by half a turn (to "
-                    "{:.1f} deg) the other way round, to {:.2f} deg: give the target as joints, or go by a "
-                    "point between",
-                    i + 1, radToDeg(way), radToDeg(target[i]), radToDeg(setting.start_tolerance),
-                    radToDeg(other)));
+        fmt::format(
+            "J{} turns by {:.2f} deg to {:.2f} deg, and reaches the same pose by half a turn (to {:.1f} deg) "
+            "in the other direction, to {:.2f} deg: give the target as joints, or add an intermediate point",
+            i + 1, radToDeg(way), radToDeg(target[i]), radToDeg(setting.start_tolerance), radToDeg(other)));
   }
   return std::nullopt;
 }

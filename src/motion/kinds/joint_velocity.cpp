@@ -98,9 +98,10 @@ class Planner {
   Planner(const arm::ArmModel& arm, const Setting& setting) : arm_(arm), setting_(setting) {}
 
   [[nodiscard]] Refusal tooFast(std::size_t joint, double asked, const arm::JointVector& there) const {
-    return refusal(Refusal::Reason::JointSpeed, joint, there,
-                   fmt::format("J{} is asked for {:.1f} deg/s, rated {:.1f} deg/s: choose a lower speed",
-                               joint + 1, radToDeg(asked), radToDeg(limit(joint).max_velocity)));
+    return refusal(
+        Refusal::Reason::JointSpeed, joint, there,
+        fmt::format("the requested speed of J{} is {:.1f} deg/s, rated {:.1f} deg/s: choose a lower speed",
+                    joint + 1, radToDeg(asked), radToDeg(limit(joint).max_velocity)));
   }
   [[nodiscard]] Refusal tooClose(std::size_t joint, double asked, const arm::JointVector& there) const {
     return refusal(Refusal::Reason::JointLimit, joint, there,
@@ -112,7 +113,7 @@ class Planner {
   [[nodiscard]] Refusal atLimit(std::size_t joint, const arm::JointVector& there) const {
     return refusal(
         Refusal::Reason::JointLimit, joint, there,
-        fmt::format("J{} comes to its limit, {}: choose another direction", joint + 1, range(joint)));
+        fmt::format("J{} reaches its limit, {}: choose another direction", joint + 1, range(joint)));
   }
   [[nodiscard]] const arm::JointLimit& limit(std::size_t joint) const { return arm_.limits()[joint]; }
 

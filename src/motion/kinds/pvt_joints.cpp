@@ -142,7 +142,7 @@ Refusal toRefusal(const arm::ArmModel& arm, const PvtOffence& offence, double be
   const arm::JointLimit& limit = arm.limits()[static_cast<std::size_t>(offence.joint)];
   return {offence.reason, (begin + offence.time) / duration, offence.joint,
           setting.base.inverse() * arm::forwardKinematics(arm, offence.joints) * setting.tcp,
-          fmt::format("{:.3f} s behind the start of the PVT J{} {}", begin + offence.time, offence.joint + 1,
+          fmt::format("{:.3f} s after the start of the PVT J{} {}", begin + offence.time, offence.joint + 1,
                       textOf(offence, limit))};
 }
 

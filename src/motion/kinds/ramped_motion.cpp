@@ -63,13 +63,12 @@ Refusal tooFast(const arm::ArmModel& arm, const arm::JointVector& way, double sp
     }
   }
   const double rated = arm.limits()[static_cast<std::size_t>(joint)].max_velocity;
-  return {
-      Refusal::Reason::JointSpeed, 1.0, joint,
-      setting.base.inverse() * arm::forwardKinematics(arm, target) * setting.tcp,
-      fmt::format("J{} would need {:.2f} deg/s, rated {:.1f} deg/s; at most {:.1f} deg/s of the joint with "
-                  "the longest way would do: choose a lower speed",
-                  joint + 1, radToDeg(speed * std::abs(way[joint]) / longest), radToDeg(rated),
-                  std::floor(10.0 * radToDeg(usable / setting.speed_override) + 1e-6) / 10.0)};
+  return {Refusal::Reason::JointSpeed, 1.0, joint,
+          setting.base.inverse() * arm::forwardKinematics(arm, target) * setting.tcp,
+          fmt::format("J{} would need {:.2f} deg/s, rated {:.1f} deg/s; at most {:.1f} deg/s of the joint "
+                      "with the longest travel is possible: choose a lower speed",
+                      joint + 1, radToDeg(speed * std::abs(way[joint]) / longest), radToDeg(rated),
+                      std::floor(10.0 * radToDeg(usable / setting.speed_override) + 1e-6) / 10.0)};
 }
 
 Result<TrajectoryPtr, Refusal> along(const arm::ArmModel& arm, const arm::JointVector& start,

@@ -181,8 +181,9 @@ Finding checkShape(const RampShape& ramps) {
 }
 
 Finding checkPathRates(const PathRates& rates) {
-  return first({checkRates(rates.way, "a speed or an acceleration of the way"),
-                checkRates(rates.turn, "a speed or an acceleration of the turn"), checkShape(rates.ramps)});
+  return first({checkRates(rates.way, "a speed or an acceleration of the translation"),
+                checkRates(rates.turn, "a speed or an acceleration of the rotation"),
+                checkShape(rates.ramps)});
 }
 
 Finding checkCommand(const JointMove& move) {

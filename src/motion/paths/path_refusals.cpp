@@ -35,14 +35,15 @@ const arm::JointLimit& limitOf(const TimedPath& timed, int joint) {
 /// The share of the asked speed, in the unit in which it was asked, rounded down so that it does.
 std::string speedAdvice(const AskedSpeed& asked, double share) {
   if (asked.unit == nullptr) {
-    return fmt::format("{:.2f} times the time would do: give it more time, or choose another path",
+    return fmt::format("{:.2f} times the time is sufficient: give it more time, or choose another path",
                        std::ceil(100.0 / share) / 100.0);
   }
   const double usable = std::floor(10.0 * asked.value * share) / 10.0;
   if (usable <= 0.0) {
     return fmt::format("no useful speed in {} is slow enough: {}", asked.unit, asked.otherwise);
   }
-  return fmt::format("at most {:.1f} {} would do: choose a lower speed or another path", usable, asked.unit);
+  return fmt::format("at most {:.1f} {} is possible: choose a lower speed or another path", usable,
+                     asked.unit);
 }
 
 }  // namespace
@@ -85,10 +86,11 @@ Refusal singularRefusal(const TimedPath& timed, double progress, const arm::Join
     joint = 0;
     which = fmt::format("wrist {:.1f} mm from the shoulder's cylinder", mToMm(distance.shoulder));
   }
-  return refusalAt(timed, progress, Reason::Singular, joint,
-                   fmt::format("the arm runs into a singularity ({}), where a {} cannot go on: choose a "
-                               "path around it, or PTP",
-                               which, timed.name));
+  return refusalAt(
+      timed, progress, Reason::Singular, joint,
+      fmt::format(
+          "the arm runs into a singularity ({}), where a {} cannot continue: choose a path around it, or PTP",
+          which, timed.name));
 }
 
 std::optional<Refusal> otherPosture(const arm::JointVector& end, const arm::JointVector& target,

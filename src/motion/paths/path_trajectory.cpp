@@ -48,7 +48,7 @@ class PathTrajectory final : public Profiled {
     const double end = profile().duration();
     if (const auto stuck = includeAll(std::min(toSeconds(from), end), std::min(toSeconds(to), end), range)) {
       return refuse(unbounded(fromSeconds(stuck->first), fromSeconds(stuck->second),
-                              "as the path is too close to a singularity: choose another path, or PTP"));
+                              "because the path is too close to a singularity: choose another path, or PTP"));
     }
     return range;
   }

@@ -43,11 +43,10 @@ std::optional<PathRefusal> takeRates(const std::array<Row, kCount>& rows, const 
     const double given = point.*row.given;
     const bool keeps = given == 0.0 && kept.*row.kept > 0.0;
     if (!keeps && !(given > 0.0 && std::isfinite(given))) {
-      return PathRefusal{
-          error_id, index, -1,
-          fmt::format("{} is {}, allowed: above 0, and 0 where a point of the same kind (PTP or "
-                      "not) is in front in the goal: give one",
-                      row.name, given)};
+      return PathRefusal{error_id, index, -1,
+                         fmt::format("{} is {}, allowed: above 0, or 0 if a point of the same kind (PTP or "
+                                     "not) precedes it in the goal: give one",
+                                     row.name, given)};
     }
     if (!keeps) kept.*row.kept = given;
   }

@@ -37,9 +37,9 @@ Finding checkTolerance(const PathPoint& point, int index) {
   if (is(point.interpolation, Interpolation::Ptp) && point.command_tolerance > 100.0) {
     return refusal(
         path_error::kPtpTolerance, index,
-        fmt::format("command_tolerance is {} % of the way of a PTP, allowed: 0 to 100 %: choose one "
-                    "in this range",
-                    point.command_tolerance));
+        fmt::format(
+            "command_tolerance is {} % of the path of a PTP, allowed: 0 to 100 %: choose one in this range",
+            point.command_tolerance));
   }
   return std::nullopt;
 }

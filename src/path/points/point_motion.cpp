@@ -133,7 +133,7 @@ class PointPlanner {
     const arm::JointLimit& limit = scene_.arm.limits()[static_cast<std::size_t>(joint)];
     return refusal(
         path_error::kStartJoints,
-        fmt::format("the move starts with J{} at {:.2f} deg, allowed {:.1f}..{:.1f} deg: go back inside by "
+        fmt::format("the move starts with J{} at {:.2f} deg, allowed {:.1f}..{:.1f} deg: move back inside by "
                     "a PTP first",
                     joint + 1, radToDeg(start_[joint]), radToDeg(limit.lower), radToDeg(limit.upper)),
         joint);

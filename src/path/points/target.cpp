@@ -27,8 +27,8 @@ Result<arm::Pose, PathRefusal> reference(const PathPoint& point, int index, cons
   if (is(point.ref_frame_type, Reference::Robot)) return arm::Pose(arm::Pose::Identity());
   if (scene.world) return *scene.world;
   return refuse(PathRefusal{path_error::kWorldUnknown, index, -1,
-                            "the target is in WORLD, and tf does not tell where the world is from the robot "
-                            "base: publish it, or give the target in ROBOT or USER"});
+                            "the target is in WORLD, and tf has no transform from the robot base to the "
+                            "world: publish it, or give the target in ROBOT or USER"});
 }
 
 constexpr int kInWorld = 1;
@@ -119,10 +119,9 @@ std::optional<PathRefusal> checkFlip(const PathPoint& point, int index, double j
   if (is_noflip == asks_noflip) return std::nullopt;
   return PathRefusal{
       path_error::kConfiguration, index, -1,
-      fmt::format("robot_configuration {} asks for {}, and J5 = {:.3f} deg says {}: agree both, "
-                  "or clear bit 0",
-                  point.robot_configuration, arm::toString(*bits), radToDeg(j5),
-                  is_noflip ? "NOFLIP" : "FLIP")};
+      fmt::format(
+          "robot_configuration {} requests {}, and J5 = {:.3f} deg means {}: make both agree, or clear bit 0",
+          point.robot_configuration, arm::toString(*bits), radToDeg(j5), is_noflip ? "NOFLIP" : "FLIP")};
 }
 
 }  // namespace cobot_command::path

@@ -31,8 +31,8 @@ std::optional<PathRefusal> checkLength(const PathPlan& plan, const PieceLimits& 
   if (too_long == Duration::zero()) return std::nullopt;
   const std::size_t point = plan.placeAt(too_long - Duration(1)).point;
   return PathRefusal{path_error::kTooLong, plan.points()[point].index, -1,
-                     fmt::format("the PVT up to the next rest would have {} points, allowed {}: let the arm "
-                                 "stop on this point or in front of it, or divide the way to it",
+                     fmt::format("the PVT up to the next rest would have {} points, allowed {}: stop the arm "
+                                 "at or before this point, or divide the path to it",
                                  count, limits.most_points)};
 }
 

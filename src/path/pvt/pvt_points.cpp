@@ -33,7 +33,7 @@ PathRefusal toRefusal(const motion::PvtOffence& offence, const PathPlan& plan, D
   const PlannedPoint& point = plan.points()[plan.placeAt(time).point];
   const arm::JointLimit& limit = arm.limits()[static_cast<std::size_t>(offence.joint)];
   PathRefusal made{errorIdOf(offence.reason), point.index, offence.joint,
-                   fmt::format("sent as a PVT, {:.3f} s behind the start of the point J{} {}",
+                   fmt::format("sent as a PVT, {:.3f} s after the start of the point J{} {}",
                                toSeconds(time - point.start), offence.joint + 1, textOf(offence, limit))};
   made.where = arm::forwardKinematics(arm, offence.joints) * point.moved_frame;
   return made;

@@ -45,16 +45,16 @@ Order orderOf(const std::vector<std::string>& given, const JointNames& names, st
   for (std::size_t i = 0; i < given.size() && fault.empty(); ++i) {
     const auto joint = jointOf(names, given[i]);
     if (!joint) {
-      fault = foreignText(given[i]) + " is no joint of this robot" + allowed(names);
+      fault = foreignText(given[i]) + " is not a joint of this robot" + allowed(names);
     } else if (std::exchange(is_named[*joint], true)) {
-      fault = names[*joint] + " is named twice" + allowed(names);
+      fault = names[*joint] + " is listed twice" + allowed(names);
     } else {
       order[*joint] = i;
     }
   }
   const auto lacking = std::find(is_named.begin(), is_named.end(), false);
   if (fault.empty() && lacking != is_named.end()) {
-    fault = names[static_cast<std::size_t>(lacking - is_named.begin())] + " is not named" + allowed(names);
+    fault = names[static_cast<std::size_t>(lacking - is_named.begin())] + " is missing" + allowed(names);
   }
   return order;
 }
@@ -75,8 +75,8 @@ blocks::SixValues toTolerances(const std::vector<control_msgs::JointTolerance>& 
     if (const auto joint = jointOf(names, tolerance.name)) {
       tolerances[*joint] = tolerance.position;
     } else if (fault.empty()) {
-      fault = "a tolerance is for " + foreignText(tolerance.name) + ", which is no joint of this robot" +
-              allowed(names);
+      fault = "a tolerance is given for " + foreignText(tolerance.name) +
+              ", which is not a joint of this robot" + allowed(names);
     }
   }
   return tolerances;

@@ -62,7 +62,7 @@ std::vector<path::PathPoint> toPoints(const std::vector<cobot_command::PathPoint
 void readFile(blocks::LoadPathGoal& goal, const std::string& file, const Lookups& lookups) {
   auto points = lookups.points(file);
   if (!points) {
-    goal.path_fault = foreignText(file) + ": it could not be read in the time there was";
+    goal.path_fault = foreignText(file) + ": the file was not read within the time limit";
   } else if (*points) {
     goal.path = std::move(**points);
   } else {

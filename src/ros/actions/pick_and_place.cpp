@@ -48,7 +48,7 @@ blocks::PickAndPlaceGoal toGoal(const cobot_command::PickAndPlaceGoal& message, 
   }
   auto steps = lookups.steps(message.steps_file);
   if (!steps) {
-    goal.steps_fault = foreignText(message.steps_file) + ": it could not be read in the time there was";
+    goal.steps_fault = foreignText(message.steps_file) + ": the file was not read within the time limit";
   } else if (*steps) {
     goal.steps = std::move(**steps);
   } else {

@@ -33,7 +33,7 @@ blocks::RunProgramGoal toGoal(const cobot_command::RunProgramGoal& message, cons
   blocks::RunProgramGoal goal;
   goal.cycles = message.cycles;
   if (message.paths.size() > blocks::RunProgramGoal::kMostPaths) {
-    goal.paths_fault = fmt::format("{} paths are given; at most {} may be", message.paths.size(),
+    goal.paths_fault = fmt::format("{} paths are given; at most {} are allowed", message.paths.size(),
                                    blocks::RunProgramGoal::kMostPaths);
   } else {
     goal.paths = message.paths;

@@ -10,18 +10,20 @@ using namespace setting_kinds;
 
 SettingTable cellRows(CellParameters& p) {
   return {{"cell", text(p.cell, orEmpty(absoluteNamespace())),
-           "namespace of the supervisor of the robot's cell; empty: it is in none. In a cell nothing but "
+           "namespace of the cell supervisor; empty: the robot is not in a cell. In a cell only "
            "`run_program` moves the robot"},
           {"cell_robot", text(p.robot), "name of the robot in the cell"},
           {"cell_artifact", text(p.artifact, orEmpty(absolutePath())),
-           "what `tm_cell build` has made of the cell: the same file as the supervisor's"}};
+           "file made by `tm_cell build`; the same file as the supervisor's"}};
 }
 
 std::optional<SettingFault> faultIn(const CellParameters& p) {
   if (p.cell.empty()) return std::nullopt;
-  if (p.robot.empty()) return SettingFault{"cell_robot", "is empty", "a robot of the cell, as cell is set"};
+  if (p.robot.empty()) {
+    return SettingFault{"cell_robot", "is empty", "the name of a robot of the cell, because cell is set"};
+  }
   if (!p.artifact.empty()) return std::nullopt;
-  return SettingFault{"cell_artifact", "is empty", "an absolute path, as cell is set"};
+  return SettingFault{"cell_artifact", "is empty", "an absolute path, because cell is set"};
 }
 
 }  // namespace cobot_command::ros_adapter

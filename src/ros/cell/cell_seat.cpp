@@ -22,7 +22,7 @@ Result<std::unique_ptr<CellSeat>, std::string> CellSeat::of(const CellParameters
   for (std::size_t robot = 0; robot < shared->robots.size(); ++robot) {
     if (shared->program.robots[robot].name != parameters.robot) continue;
     if (model.empty() || shared->robots[robot].model == model) continue;
-    return refuse(fmt::format("robot {} of the cell is a {}, and ~robot_model is {}", parameters.robot,
+    return refuse(fmt::format("robot {} of the cell is a {}, but ~robot_model is {}", parameters.robot,
                               shared->robots[robot].model, foreignText(model)));
   }
   return std::unique_ptr<CellSeat>(

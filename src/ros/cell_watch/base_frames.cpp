@@ -13,10 +13,9 @@ void BaseFrames::tell(std::size_t robot, const std::string& prefix) {
   const cell::Robot& known = robots_[robot];
   const std::string frame = prefix + "base";
   if (!told_.insert(frame).second) {
-    ROS_WARN_STREAM(
-        "the base of " << forPeople(known.name) << " is " << forPeople(frame)
-                       << ", as that of another robot: tf is not told where it is. Give the robots "
-                          "prefixes of their own.");
+    ROS_WARN_STREAM("the base frame of " << forPeople(known.name) << " is " << forPeople(frame)
+                                         << ", the same as for another robot: its transform is not "
+                                            "published. Give each robot its own prefix.");
     return;
   }
   geometry_msgs::TransformStamped transform;

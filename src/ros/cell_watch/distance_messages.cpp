@@ -37,8 +37,10 @@ bool isBreached(const cell::MonitorStatus& status) {
 /// Empty: all were heard, and can be stopped.
 std::string lackOf(const WatchView& view) {
   for (const WatchView::Mover& mover : view.movers) {
-    if (!mover.is_heard) return fmt::format("{} was not heard yet, in {}", mover.name, mover.topic);
-    if (!mover.takes_stops) return fmt::format("nobody in {}/ takes stops of {}", mover.space, mover.name);
+    if (!mover.is_heard) return fmt::format("{} has not reported yet on {}", mover.name, mover.topic);
+    if (!mover.takes_stops) {
+      return fmt::format("no node in {}/ accepts stop goals of {}", mover.space, mover.name);
+    }
   }
   return "";
 }
@@ -47,10 +49,10 @@ void addPairs(diagnostic_updater::DiagnosticStatusWrapper& status, const cell::M
   for (const cell::PairStatus& pair : monitor.pairs) {
     const std::string key = pair.first + " and " + pair.second;
     if (!pair.known) {
-      status.add(key, "not known");
+      status.add(key, "unknown");
       continue;
     }
-    status.add(key, fmt::format("{}{:.1f} mm, at least {:.1f} mm ever", pair.exact ? "" : "more than ",
+    status.add(key, fmt::format("{}{:.1f} mm, minimum {:.1f} mm", pair.exact ? "" : "more than ",
                                 mToMm(pair.distance), mToMm(pair.least)));
   }
 }
@@ -68,8 +70,8 @@ cobot_command::CellDistances toMessage(const cell::MonitorStatus& status) {
 std::string sentenceOf(const cell::Breach& breach) {
   const Duration lasted = breach.end.value_or(breach.least_at) - breach.start;
   return fmt::format(
-      "{} ({}) and {} ({}) were closer than the margin for {:.2f} s: {:.1f} mm at the least, and {:.1f} mm "
-      "with the age of the data.",
+      "{} ({}) and {} ({}) were closer than the margin for {:.2f} s: minimum {:.1f} mm, {:.1f} mm if the age "
+      "of the data is taken into account.",
       breach.first, breach.first_body, breach.second, breach.second_body, toSeconds(lasted),
       mToMm(breach.distance), mToMm(breach.least));
 }

@@ -30,9 +30,9 @@ Result<std::shared_ptr<const cell::Artifact>, Faults> artifactOf(const std::stri
   auto artifact = runtime::readArtifact(file);
   if (!artifact) return refuse(artifact.error());
   if (artifact->hash != cell::hashOf(cell)) {
-    return refuse(Faults{"~artifact: " + file +
-                         " was made of another cell than ~cell_file; build it anew: "
-                         "tm_cell build CELL -o FILE"});
+    return refuse(
+        Faults{"~artifact: " + file +
+               " was made from another cell than ~cell_file; rebuild it: tm_cell build CELL -o FILE"});
   }
   return std::make_shared<const cell::Artifact>(std::move(*artifact));
 }

@@ -39,18 +39,20 @@ SettingKind distanceOrNone(std::optional<double>& value) {
 }  // namespace
 
 SettingTable settingsTable(MonitorParameters& p) {
-  return {{"cell_file", text(p.cell_file, orEmpty(absolutePath())), "the file of the cell; has to be given"},
+  return {{"cell_file", text(p.cell_file, orEmpty(absolutePath())), "cell file; required"},
           {"mode", choice<Mode>(p.mode, {{"stop", Mode::Stop}, {"warn", Mode::Warn}}),
-           "warn: what would stop all robots is only told"},
+           "warn: robots are not stopped; a stop is only logged"},
           {"stop_distance", distanceOrNone(p.stop_distance),
-           "closer than this stops all; at most the margin of the cell; -1: half of that"},
+           "at a smaller distance all robots are stopped; at most the margin of the cell; -1: half of the "
+           "margin"},
           {"artifact", text(p.artifact, orEmpty(absolutePath())),
-           "what `tm_cell build` has made of that file, for what robots carry, and the pictures of zones; "
-           "empty: they "
-           "carry all that they may, and there are none"},
+           "file made by `tm_cell build` from the cell file. It is used for the parts that robots carry and "
+           "for the pictures of zones. Empty: each robot is assumed to carry all parts it can carry, and no "
+           "zones are shown"},
           {"publish_frames", flag(p.publish_frames),
-           "tells tf where in `world` the base of each robot is, once its joint states have told its prefix"},
-          {"diagnostic_period", real(p.diagnostic_period, 0.1, 3600, "s"), "of `/diagnostics`"}};
+           "publishes the transform from `world` to the base of each robot when the prefix of its joint "
+           "states is known"},
+          {"diagnostic_period", real(p.diagnostic_period, 0.1, 3600, "s"), "period of `/diagnostics`"}};
 }
 
 Result<MonitorParameters, ParameterError> readMonitorParameters(const GivenParameters& given) {
@@ -58,7 +60,7 @@ Result<MonitorParameters, ParameterError> readMonitorParameters(const GivenParam
   const SettingTable table = settingsTable(parameters);
   if (const auto fault = take(table, given.own)) return refuse(parameterError(given, *fault));
   if (parameters.cell_file.empty()) {
-    return refuse(parameterError(given, {"cell_file", "is empty", "the absolute path of the cell's file"}));
+    return refuse(parameterError(given, {"cell_file", "is empty", "the absolute path of the cell file"}));
   }
   parameters.warnings = warningsOfUnknown(given, table, {});
   return parameters;

@@ -35,14 +35,14 @@ Result<MoverNamespaces, std::string> MoverNamespaces::of(const cell::Cell& cell)
     std::string reason;
     if (!ros::names::validate(space, reason)) {
       return refuse(
-          fmt::format("robots.{}.namespace is {}; allowed: a name of ROS, of letters, digits, _ "
-                      "and /, that begins with a letter or /",
+          fmt::format("robots.{}.namespace is {}; allowed: a ROS name of letters, digits, _ and /, that "
+                      "begins with a letter or /",
                       robot.name, quoted(robot.name_space)));
     }
     if (!spaces.insert(space).second) {
-      return refuse(
-          fmt::format("robots.{}.namespace is {}, as that of another robot; give each one of its own",
-                      robot.name, quoted(robot.name_space)));
+      return refuse(fmt::format(
+          "robots.{}.namespace is {}, the same as for another robot; give each robot its own namespace",
+          robot.name, quoted(robot.name_space)));
     }
     movers.push_back({robot.name, space, false, std::nullopt});
   }
@@ -50,8 +50,8 @@ Result<MoverNamespaces, std::string> MoverNamespaces::of(const cell::Cell& cell)
     const std::string space = absolute(mechanism.name);
     if (!spaces.insert(space).second) {
       return refuse(
-          fmt::format("mechanisms.{} is looked for in the namespace of its name, {}, which is that "
-                      "of a robot; give the robot another one",
+          fmt::format("mechanisms.{} is expected in the namespace {}, which belongs to a robot; give the "
+                      "robot another namespace",
                       mechanism.name, quoted(space)));
     }
     movers.push_back({mechanism.name, space, true, std::nullopt});

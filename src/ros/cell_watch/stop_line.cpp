@@ -22,7 +22,7 @@ std::string anyId(const std::string& robot) {
 
 void tell(const std::string& robot, const cobot_command::StopResult& result) {
   if (result.error_id == 0) {
-    ROS_INFO_STREAM(forPeople(robot) << " stands, or takes nothing any more that moves it");
+    ROS_INFO_STREAM(forPeople(robot) << " is at standstill, or no longer accepts commands that move it");
   } else {
     ROS_ERROR_STREAM(robot << " may still move: " << foreignText(result.error_description) << " "
                            << foreignText(result.remedy));
@@ -59,8 +59,8 @@ MadeBeside<ros::Subscriber>::Make StopLine::listeningIn(const std::string& space
 void StopLine::stop() {
   goals_.send(fmt::format("{}-{}", id_, ++sent_));
   if (isConnected()) return;
-  ROS_ERROR_STREAM(forPeople(robot_) << " cannot be told to stop: nobody listens to " << goals_.topic()
-                                     << ". Make sure that it stands.");
+  ROS_ERROR_STREAM(forPeople(robot_) << " cannot be stopped: no node subscribes to " << goals_.topic()
+                                     << ". Make sure that it is at standstill.");
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -159,9 +159,9 @@ void Watch::hear(const ros::MessageEvent<cobot_command::CellReport const>& event
   const auto mover = namespaces_.reported(name, event.getPublisherName(), steadyNow());
   if (!mover) return;
   const std::string& space = namespaces_.movers()[*mover].space;
-  ROS_WARN_STREAM(name << " reports from " << foreignText(event.getPublisherName())
-                       << ", and nothing is heard where the "
-                       << "file of the cell has it: it is listened to in " << space << "/ now");
+  ROS_WARN_STREAM(name << " reports from node " << foreignText(event.getPublisherName())
+                       << ", but nothing is received in the namespace that the cell file gives: "
+                       << "the monitor now subscribes in " << space << "/");
   stop_lines_[*mover]->moveTo(space);
   measured_[*mover].begin(listeningTo(*mover));
 }
@@ -231,7 +231,7 @@ void Watch::carryOut() {
 
 void Watch::stopAll(const std::string& why) {
   for (const auto& line : stop_lines_) line->stop();
-  ROS_ERROR_STREAM("All robots and mechanisms of the cell are told to stop. " << forPeople(why));
+  ROS_ERROR_STREAM("All robots and mechanisms of the cell are being stopped. " << forPeople(why));
 }
 
 void Watch::tell(Instant now) {
@@ -261,7 +261,7 @@ void Watch::tell(Instant now) {
 
 std::string Watch::carriedBy(std::size_t mover) const {
   if (!places_ || !places_->mayCarry(namespaces_.movers()[mover].name)) return "";
-  if (!beliefs_[mover]) return "all that it may carry, as nobody can tell";
+  if (!beliefs_[mover]) return "all parts it can carry, because the actual parts are unknown";
   const cell::Carried& parts = beliefs_[mover]->parts;
   return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
 }

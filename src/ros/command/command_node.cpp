@@ -37,8 +37,8 @@ constexpr double kFrameRetryPeriod = 0.01;  // [s]
 /// Far more than any but a planning takes.
 constexpr Duration kFinishPatience = std::chrono::milliseconds(500);
 constexpr const char* kNotAnsweredYet =
-    "asked for; the command layer is busy, planning say, and has not answered yet: it does so as soon as it "
-    "has done, and the results tell what became of the goals";
+    "requested; the command layer is busy (for example, planning) and has not answered yet. It processes the "
+    "request as soon as it can; the results of the goals show the outcome";
 
 void log(const command::LogMessage& message) {
   switch (message.severity) {
@@ -104,7 +104,7 @@ CommandNode::CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& sel
       intake_([this](const std_msgs::Header& header) { return frames_.find(header); },
               [this] { return frames_.patience(); }, fileSource(), intakeCore(), parameters.world_frame) {
   if (!parameters.arm) {
-    ROS_WARN("no robot model: moves are sent to the controller without planning them first");
+    ROS_WARN("no robot model: moves are sent to the controller without planning");
   }
   retry_ = node.createSteadyTimer(
       ros::WallDuration(kFrameRetryPeriod),

@@ -21,11 +21,12 @@ constexpr double kAnnouncementTimeout = 30;  // [s]; a node starts in far less
 constexpr double kAnnouncementRetry = 0.05;  // [s]
 
 TextRule hostName() {
-  return {fmt::format("a host without blanks, of at most {} characters", kMaxHostLength), isHostName};
+  return {fmt::format("a host name or address without blanks, of at most {} characters", kMaxHostLength),
+          isHostName};
 }
 
 TextRule frameName() {
-  return {"a name of a tf frame, without a slash in front", [](const std::string& name) {
+  return {"the name of a tf frame, without a leading slash", [](const std::string& name) {
             return !name.empty() && name.front() != '/' && name.find(' ') == std::string::npos;
           }};
 }
@@ -41,7 +42,7 @@ TextRule nodeName() {
 std::optional<SettingFault> faultIn(const CommandParameters& p) {
   const bool has_ports = p.simulated_controller.empty();
   if (has_ports && p.script_port != 0 && p.script_port == p.link.status_port) {
-    return SettingFault{"status_port", fmt::format("is {}, which script_port is, too", p.link.status_port),
+    return SettingFault{"status_port", fmt::format("is {}, the same as script_port", p.link.status_port),
                         "the port of the status stream, usually 5891, or 0 for none"};
   }
   if (p.link.retry_min > p.link.retry_max) {
@@ -53,10 +54,10 @@ std::optional<SettingFault> faultIn(const CommandParameters& p) {
   if (const auto fault = faultIn(p.cell)) return fault;
   if (!p.auto_connect) return std::nullopt;
   if (p.robot_ip.empty()) {
-    return SettingFault{"robot_ip", "is empty", "the controller's address, as auto_connect is set"};
+    return SettingFault{"robot_ip", "is empty", "the controller's address, because auto_connect is set"};
   }
   if (has_ports && p.script_port == 0) {
-    return SettingFault{"script_port", "is 0", "the controller's port, as auto_connect is set"};
+    return SettingFault{"script_port", "is 0", "the controller's port, because auto_connect is set"};
   }
   return std::nullopt;
 }
@@ -73,7 +74,7 @@ std::optional<GivenValues> announcedPorts(const ros::NodeHandle& node, const std
 }
 
 SettingFault untold(const std::string& controller, const std::string& how_long) {
-  return {"simulated_controller", fmt::format("is {}, which has told no ports {}", controller, how_long),
+  return {"simulated_controller", fmt::format("is {}, which published no ports {}", controller, how_long),
           "the name of a running simulated_controller_node, or empty"};
 }
 
@@ -86,7 +87,7 @@ std::optional<SettingFault> takeAnnouncedPorts(const ros::NodeHandle& node, Comm
   auto ports = announcedPorts(node, controller);
   if (!ports) ROS_INFO_STREAM("waiting for the ports of " << forPeople(controller));
   while (!ports) {
-    if (given_up()) return untold(controller, "before the end was asked for");
+    if (given_up()) return untold(controller, "before the shutdown");
     if (ros::SteadyTime::now() > deadline) {
       return untold(controller, fmt::format("within {} s", kAnnouncementTimeout));
     }
@@ -98,59 +99,63 @@ std::optional<SettingFault> takeAnnouncedPorts(const ros::NodeHandle& node, Comm
 
 SettingTable robotTable(CommandParameters& p) {
   return {
-      {"robot_ip", text(p.robot_ip, orEmpty(hostName())), "host for Connect goals without one"},
-      {"script_port", port(p.script_port), "port for Connect goals without one"},
+      {"robot_ip", text(p.robot_ip, orEmpty(hostName())), "host for connect goals that name none"},
+      {"script_port", port(p.script_port), "port for connect goals that name none"},
       {"status_port", port(p.link.status_port), "port of the status stream; 0: none"},
       robotModelRow(p.robot_model),
       prefixRow(p.prefix),
       {"turn_speed", realIn(p.turn_speed, 1, 3600, "deg/s", radToDeg(1)),
-       "of the TCP at 100 % on lines and circles, for planning"},
+       "rotation speed of the TCP at 100 % on lines and circles; used for planning"},
   };
 }
 
 SettingTable deadlineTable(link::LinkSettings& l) {
   return {
-      {"open_timeout", seconds(l.open_timeout, 0.1, 60), "one try to connect"},
+      {"open_timeout", seconds(l.open_timeout, 0.1, 60), "timeout of one connection attempt"},
       {"retry_min", seconds(l.retry_min, 0.01, 60),
-       "pause between the first two tries; it doubles from there"},
-      {"retry_max", seconds(l.retry_max, 0.01, 60), "longest pause between two tries"},
-      {"reply_timeout", seconds(l.reply_timeout, 0.05, 60), "for the controller's answers"},
-      {"supervision_period", seconds(l.supervision_period, 0.05, 60), "between two lifesigns"},
+       "pause between the first two attempts; it doubles after each attempt"},
+      {"retry_max", seconds(l.retry_max, 0.01, 60), "longest pause between two attempts"},
+      {"reply_timeout", seconds(l.reply_timeout, 0.05, 60), "timeout of the controller's answers"},
+      {"supervision_period", seconds(l.supervision_period, 0.05, 60), "interval of the heartbeats"},
       {"supervision_misses", whole(l.supervision_misses, 1, 100),
-       "lifesigns without an answer until the link counts as lost"},
+       "number of unanswered heartbeats after which the link counts as lost"},
       {"status_timeout", seconds(l.status_timeout, 0.1, 60),
-       "without a status frame the status link is opened again"},
+       "the status link is opened again after this time without a status frame"},
       {"tag_deadline_factor", real(l.tag_deadline_factor, 1, 100),
-       "a motion's tag is due after planned time x this + margin"},
-      {"tag_deadline_margin", seconds(l.tag_deadline_margin, 0.1, 3600), "the margin"},
+       "a motion's queue tag is due after planned time x this + margin"},
+      {"tag_deadline_margin", seconds(l.tag_deadline_margin, 0.1, 3600),
+       "margin in the deadline of a motion's queue tag"},
       {"unplanned_motion_timeout", seconds(l.unplanned_motion_timeout, 1, 86400),
-       "the same, when the motion could not be planned"},
+       "deadline of the queue tag of a motion that could not be planned"},
       {"planning_budget", seconds(l.planning_budget, 0.01, 3600),
-       "for a plan: of a check, of a whole cycle, of a move or a script before it is sent, which ends with "
-       "16#20C then; only other plans wait for it"},
-      {"stop_timeout", seconds(l.stop_timeout, 0.1, 60), "from an accepted stop until the robot stands"},
+       "time limit of planning (a check, a whole cycle, a move or a script before it is sent); the goal ends "
+       "with 16#20C when it is exceeded; only other plans wait meanwhile"},
+      {"stop_timeout", seconds(l.stop_timeout, 0.1, 60), "time limit from an accepted stop to standstill"},
       {"evidence_timeout", seconds(l.evidence_timeout, 0.05, 10),
-       "behind a queue tag, until the status stream shows the robot standing at the target (16#226); and for "
-       "the reason of a failure"},
+       "from a queue tag until the status stream shows the robot at standstill at the target (16#226); also "
+       "the time to wait for the reason of a failure"},
       {"position_tolerance", real(l.position_tolerance, 1e-5, 1, "m"),
-       "how far the tool may be from a Cartesian target then"},
+       "allowed distance of the tool from a Cartesian target when the status stream is compared with it "
+       "(`~evidence_timeout`)"},
       {"angle_tolerance", real(l.angle_tolerance, 1e-5, 1, "rad"),
-       "the same for each joint, and for the orientation of the tool"},
+       "allowed difference of each joint angle, and of the orientation of the tool, from the target"},
   };
 }
 
 SettingTable pathTable(link::LinkSettings& l) {
   return {
       {"path_in_manual_mode", flag(l.path.in_manual_mode),
-       "load_path takes goals also while the status stream shows the manual mode, which its manual refuses"},
+       "load_path also accepts goals while the status stream shows manual mode, which the LoadPath manual "
+       "does not allow"},
       {"path_buffer", whole(l.path.buffer, 1, 14),
-       "of load_path: places of the buffer beside the active point"},
+       "load_path: number of buffered points in addition to the active point"},
       {"path_chain_wait", seconds(l.path.chain_wait, 0, 10),
-       "so long a path that ends with a blend waits for the next one, before it is sent with a stop at its "
-       "end"},
-      {"pvt_segment", seconds(l.path.segment, 0.025, 0.1), "between two points of a PVT at least; whole ms"},
+       "waiting time for the next path after a path that ends with a blend; then the path is sent with a "
+       "stop at its end"},
+      {"pvt_segment", seconds(l.path.segment, 0.025, 0.1),
+       "shortest time between two points of a PVT; whole ms"},
       {"pvt_block_points", whole(l.path.block_points, 100, 6000),
-       "of one PVT at most: from stop to stop (16#277)"},
+       "maximum number of points of one PVT, from stop to stop (16#277)"},
   };
 }
 
@@ -159,39 +164,40 @@ SettingTable jogTable(link::LinkSettings& l) {
   const Words<Line> units{{"off", Line::Off}, {"mm", Line::Millimetres}, {"m", Line::Metres}};
   return {
       {"velocity_line", choice(l.velocities.line, units),
-       "of `jog`: off: the TCP is jogged by short moves. mm, m: by velocities where the controller has a "
-       "licence for them, which it is taken to read in mm/s and deg/s, or in m/s and rad/s. Sources do not "
-       "agree on which: with the wrong one the arm is 1000 times too fast, or hardly moves; "
+       "`jog`: how the TCP is jogged. off: by short moves. mm, m: by velocities, if the controller has the "
+       "licence for them; it is assumed to read them in mm/s and deg/s, or in m/s and rad/s. Sources "
+       "disagree on the unit: with the wrong one the arm is 1000 times too fast, or hardly moves; "
        "doc/actions/jog.md"},
       {"velocity_joints", flag(l.velocities.joints),
-       "the same of joints, in deg/s. **When this node or its link dies, nobody stops them**"},
+       "`jog`: true: joints are jogged by velocities, in deg/s. **If this node or its link fails, nothing "
+       "stops them**"},
       {"jog_stop_time", seconds(l.jog_stop_time, 0.05, 0.2),
-       "of `jog`: what the controller needs to bring the arm to rest from a velocity. The rest of 0.25 s, "
-       "less "
-       "0.02 s, is how late a keep-alive may be"},
+       "`jog`: time that the controller needs to stop the arm from a velocity. A keep-alive can be late by "
+       "0.25 s - 0.02 s - this time"},
   };
 }
 
 SettingTable behaviourTable(CommandParameters& p) {
   return {
       {"auto_connect", flag(p.auto_connect),
-       "connects by itself and keeps the link. A connect goal takes it over: when that fails, or its link is "
-       "lost, the node's own comes back; when it is cancelled, there is no link until the next connect goal. "
-       "Nothing that was under way resumes"},
+       "connects automatically and keeps the link. A connect goal takes the link over. If that goal fails or "
+       "loses its link, the node's own connection is restored; if it is cancelled, there is no link until "
+       "the next connect goal. Commands that were running are not resumed"},
       {"auto_reconnect", flag(p.link.auto_reconnect),
-       "a connect goal whose link is lost stays active and tries again"},
+       "a connect goal whose link is lost stays active and reconnects"},
       {"stop_orphaned_motion", flag(p.link.stop_orphaned_motion),
-       "a robot that still moves when a link is made, or that a pause or a safeguard holds, is stopped, also "
-       "one that another command node moves: to start a second node stops the robot of the first. False: it "
-       "is left alone, and nothing is sent before it stands; for several clients of one controller"},
+       "when a link is established, the robot is stopped if it still moves or is paused by a pause or a "
+       "safeguard, even if another command node moves it: starting a second node stops the robot of the "
+       "first. False: the robot is not stopped, and nothing is sent until it is at standstill; for several "
+       "clients of one controller"},
       {"world_frame", text(p.world_frame, frameName()),
-       "of tf, in which poses of `load_path` in WORLD are; looked up when a goal comes"},
+       "tf frame of `load_path` poses in WORLD; looked up when a goal is received"},
       {"simulated_controller", text(p.simulated_controller, orEmpty(nodeName())),
-       "node whose `~listening` ports are used, for ports that it was free to choose"},
-      {"diagnostic_period", real(p.diagnostic_period, 0.1, 3600, "s"), "of `/diagnostics`"},
+       "node whose `~listening` ports are used; for ports that the simulator chose itself"},
+      {"diagnostic_period", real(p.diagnostic_period, 0.1, 3600, "s"), "period of `/diagnostics`"},
       {"tf_from_start", flag(p.tf_from_start),
-       "false: listens to tf from the first goal with a frame on; for fleets, where everybody's tf goes to "
-       "everybody"},
+       "false: subscribes to tf only from the first goal with a frame; for fleets, where every robot's tf "
+       "reaches every node"},
   };
 }
 
@@ -202,16 +208,19 @@ SettingTable exchangeTable(command::ExchangeRules& rules) {
        "stopped "
        "when it is disabled"},
       {"sync_period", seconds(rules.sync_period, 0.1, 60),
-       "between two looks at the tools, frames and loads of the controller's project, while "
+       "interval at which the tools, frames and loads of the controller's project are compared while "
        "`exchange_configuration` is enabled"},
   };
   const auto add = [&rows](const std::string& set, command::SyncModes& modes) {
     rows.push_back({fmt::format("sync/{}/start", set), whole(modes.start, 0, 2),
-                    fmt::format("who wins where {} differ when the interface is enabled: 0 nobody, 1 this "
-                                "layer, 2 the controller",
+                    fmt::format("which {} take precedence if they differ when the interface is enabled: 0 "
+                                "neither, 1 those of this layer, 2 those of the controller",
                                 set)});
     rows.push_back(
-        {fmt::format("sync/{}/run", set), whole(modes.run, 0, 3), "and from then on; 3: who has changed it"});
+        {fmt::format("sync/{}/run", set), whole(modes.run, 0, 3),
+         fmt::format(
+             "which {} take precedence after the start: 0 to 2 as for the start, 3 those that changed last",
+             set)});
   };
   add("tools", rules.sync.tools);
   add("frames", rules.sync.frames);
@@ -256,15 +265,14 @@ std::optional<SettingFault> takeAnnounced(const GivenValues& told, CommandParame
                            {"status_port", whole(parameters.link.status_port, 1, 65535), ""}};
   auto fault = take(table, told);
   if (!fault && parameters.script_port == parameters.link.status_port) {
-    fault =
-        SettingFault{"status_port", fmt::format("is {}, which script_port is, too", parameters.script_port),
-                     "a port of its own"};
+    fault = SettingFault{"status_port", fmt::format("is {}, the same as script_port", parameters.script_port),
+                         "another port"};
   }
   if (!fault) return std::nullopt;
   return SettingFault{"simulated_controller",
                       fmt::format("is {}, whose listening/{} {}", parameters.simulated_controller,
                                   fault->setting, fault->found),
-                      fault->allowed + "; delete what another node has left there"};
+                      fault->allowed + "; delete the parameters that another node has left there"};
 }
 
 Result<CommandParameters, ParameterError> readCommandParameters(const ros::NodeHandle& node,

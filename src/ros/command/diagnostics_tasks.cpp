@@ -56,10 +56,10 @@ void describeLink(DiagnosticStatusWrapper& status, const DiagnosticsView& view) 
   const command::BlockOutputs* failed = failedConnect(command);
   if (isConnected(view)) {
     status.summary(DiagnosticStatus::OK,
-                   forPeople(fmt::format("connected with {}:{}", command.host, command.port)));
+                   forPeople(fmt::format("connected to {}:{}", command.host, command.port)));
   } else if (command.link == LinkState::Disconnected && failed != nullptr) {
     status.summary(DiagnosticStatus::ERROR,
-                   forPeople(failed->error_description) + "; send a connect goal once that is put right");
+                   forPeople(failed->error_description) + "; send a connect goal when the cause is fixed");
   } else if (command.link == LinkState::Disconnected) {
     status.summary(DiagnosticStatus::WARN, "not connected; send a connect goal");
   } else {
@@ -74,11 +74,12 @@ void describeLink(DiagnosticStatusWrapper& status, const DiagnosticsView& view) 
 
 void describeListenNode(DiagnosticStatusWrapper& status, const DiagnosticsView& view) {
   if (view.command.link == LinkState::Ready) {
-    status.summary(DiagnosticStatus::OK, "the robot's flow is in the Listen node: commands are taken");
+    status.summary(DiagnosticStatus::OK, "the robot's flow is in the Listen node: commands are accepted");
   } else if (view.command.link == LinkState::NotListening) {
-    status.summary(DiagnosticStatus::WARN, orElse(forPeople(view.command.diagnosis),
-                                                  "the robot's flow is not in the Listen node: commands are "
-                                                  "refused; let the project come to it"));
+    status.summary(
+        DiagnosticStatus::WARN,
+        orElse(forPeople(view.command.diagnosis),
+               "the robot's flow is not in the Listen node: commands are refused; let the project enter it"));
   } else {
     status.summary(DiagnosticStatus::STALE, "unknown: not connected");
   }
@@ -89,12 +90,13 @@ void describeQueue(DiagnosticStatusWrapper& status, const DiagnosticsView& view)
   constexpr int kTags = link::TagLedger::kLast - link::TagLedger::kFirst + 1;
   const auto& tags = view.command.open_tags;
   if (tags.size() >= static_cast<std::size_t>(kTags)) {
-    status.summary(DiagnosticStatus::WARN, "every queue tag is in use; wait for a motion to end, or stop");
+    status.summary(DiagnosticStatus::WARN,
+                   "every queue tag is in use; wait until a motion has ended, or stop");
   } else {
     status.summary(DiagnosticStatus::OK,
                    view.command.queue_depth == 0
-                       ? std::string("no command is under way")
-                       : fmt::format("{} commands under way, {} waiting", view.command.commands_under_way,
+                       ? std::string("no command is running")
+                       : fmt::format("{} commands running, {} waiting", view.command.commands_under_way,
                                      view.command.commands_waiting));
   }
   status.add("commands", view.command.queue_depth);
@@ -118,15 +120,16 @@ void describeRobot(DiagnosticStatusWrapper& status, const DiagnosticsView& view)
                                "it; if not, clear it at the robot",
                                robot.error_code.value_or(0), forPeople(robot.error_text.value_or(""))));
   } else if (robot.safeguard.value_or(false)) {
-    status.summary(DiagnosticStatus::WARN, "a safeguard holds the robot; it goes on when that is released");
+    status.summary(DiagnosticStatus::WARN,
+                   "a safeguard has paused the robot; it continues when the safeguard is released");
   } else if (robot.project_paused.value_or(false)) {
-    status.summary(DiagnosticStatus::WARN, "paused; it goes on after program_control RESUME");
+    status.summary(DiagnosticStatus::WARN, "paused; it continues after program_control RESUME");
   } else if (!robot.project_running.value_or(true)) {
     status.summary(DiagnosticStatus::WARN, "no project is running; start it at the robot");
   } else if (const auto missing = link::missingForReady(robot); !missing.empty()) {
     status.summary(
         DiagnosticStatus::WARN,
-        forPeople(fmt::format("ready to move as far as the status stream shows, which does not have {}: {}",
+        forPeople(fmt::format("ready to move according to the status stream, but the stream lacks {}: {}",
                               link::describe(missing), link::remedyForMissingItems())));
   } else {
     status.summary(DiagnosticStatus::OK, "ready to move");
@@ -156,7 +159,7 @@ void describeStatusStream(DiagnosticStatusWrapper& status, const DiagnosticsView
                    orElse(forPeople(view.command.status_diagnosis), "no status stream"));
   }
   status.add("rate [Hz]", fmt::format("{:.1f}", view.status_rate));
-  status.add("age [s]", view.status_age ? fmt::format("{:.3f}", *view.status_age) : "none came yet");
+  status.add("age [s]", view.status_age ? fmt::format("{:.3f}", *view.status_age) : "none received yet");
 }
 
 /// Nobody needs it to move the robot, so that it is no warning where it is not enabled.
@@ -170,7 +173,7 @@ void describeExchange(DiagnosticStatusWrapper& status, const DiagnosticsView& vi
                      orElse(forPeople(view.group.out_of_sync), "enabled, nothing is compared"));
       break;
     case blocks::RiState::Synchronized:
-      status.summary(DiagnosticStatus::OK, "enabled, and in sync");
+      status.summary(DiagnosticStatus::OK, "enabled and in sync");
       break;
   }
   status.add("Enabled", view.group.ri_state != blocks::RiState::NotInitialized);

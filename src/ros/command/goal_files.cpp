@@ -119,7 +119,7 @@ std::optional<FileAnswer> GoalFiles::find(blocks::GoalId id, FileKind kind, cons
     job = std::make_shared<Job>(Job{kind, location, std::nullopt});
     if (!desk_->ask(job)) {
       job->answer =
-          noAnswer(kind, fmt::format("{}: {} files wait to be read already; send the goal again later",
+          noAnswer(kind, fmt::format("{}: {} files are already waiting to be read; send the goal again later",
                                      foreignText(location), kMostWaiting));
     }
   }

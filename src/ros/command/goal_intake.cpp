@@ -21,7 +21,7 @@ bool neverWaits(const blocks::Goal& goal) {
 
 blocks::Outcome cancelledHere(const std::string& why) {
   return blocks::commandAborted(
-      why + " while a frame or a file was looked up for it, or for one that was received before it");
+      why + " while a frame or a file was looked up for this goal, or for one that was received earlier");
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ std::optional<GoalIntake::Ended> GoalIntake::place(IncomingGoal& incoming, Readi
   const bool is_cancelled =
       incoming_is_cancelled_ || (incoming.is_cancelled != nullptr && incoming.is_cancelled());
   if (is_cancelled) {
-    return Ended{block, incoming.id, blocks::commandAborted("cancelled before its turn came")};
+    return Ended{block, incoming.id, blocks::commandAborted("cancelled before it was started")};
   }
   const bool complete = reading.has_frames && reading.has_file;
   const bool falls = command::fallsWithOthers(reading.goal);

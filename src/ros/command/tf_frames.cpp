@@ -97,7 +97,7 @@ FramePlace TfFrames::find(const std_msgs::Header& header) {
   // tf2 says so as well, but its text ends where the right name should stand.
   if (frame.compare(0, 1, "/") == 0) {
     return {std::nullopt,
-            fmt::format("frames of tf have no / in front; is {} meant?", quoted(frame.substr(1)))};
+            fmt::format("names of tf frames have no leading /; is {} meant?", quoted(frame.substr(1)))};
   }
   if (!asked_at_) listen();
   try {

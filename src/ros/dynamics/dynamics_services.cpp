@@ -68,7 +68,7 @@ DynamicsServices::DynamicsServices(const ros::NodeHandle& node, Core core) : cor
 bool DynamicsServices::changeSpeedOverride(cobot_command::ChangeSpeedOverride::Request& request,
                                            cobot_command::ChangeSpeedOverride::Response& response) {
   const auto answer = answerOf(core_.set_override(request.percent), response.message,
-                               "asked for; the controller has not confirmed it yet: group_state tells it");
+                               "requested; the controller has not confirmed it yet: see group_state");
   if (!answer) return true;
   fill(response, *answer);
   response.effective = answer->effective;
@@ -95,7 +95,7 @@ bool DynamicsServices::writeReference(cobot_command::WriteReferenceDynamics::Req
                                       cobot_command::WriteReferenceDynamics::Response& response) {
   response.error_id = capabilities::kNotOffered;
   response.message =
-      "what 100 % are of is the controller's, and cannot be written: change_speed_override, or "
+      "the controller defines what 100 % means, and it cannot be written: use change_speed_override or "
       "write_default_dynamics";
   return true;
 }

@@ -18,15 +18,14 @@ constexpr const char* kName = "software_limits";
 
 Setting limitsRow(std::vector<std::string>& texts) {
   return {kName, setting_kinds::texts(texts, arm::kJointRangesAllowed),
-          "narrower limits of joints, with which everything is planned from the start on; see "
-          "doc/dynamics.md"};
+          "narrower joint limits, used for all planning from the start; see doc/dynamics.md"};
 }
 
 std::optional<SettingFault> readLimits(const std::vector<std::string>& texts, const arm::ArmModel* arm,
                                        std::optional<command::SoftwareLimits>& limits) {
   if (texts.empty()) return std::nullopt;
   if (arm == nullptr) {
-    return SettingFault{kName, "is given, and there is no model of the arm", "none without a model"};
+    return SettingFault{kName, "is given, but there is no model of the arm", "no limits without a model"};
   }
   const command::SoftwareLimits model = command::limitsOf(*arm);
   command::SoftwareLimits wanted = model;
@@ -42,7 +41,7 @@ std::optional<SettingFault> readLimits(const std::vector<std::string>& texts, co
     wanted.upper[index] = degToRad(range->upper);
   }
   if (const auto fault = command::faultIn(wanted, model)) {
-    return SettingFault{kName, "does not do: " + *fault, arm::kJointRangesAllowed};
+    return SettingFault{kName, "cannot be used: " + *fault, arm::kJointRangesAllowed};
   }
   limits = wanted;
   return std::nullopt;

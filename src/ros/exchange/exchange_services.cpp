@@ -17,7 +17,8 @@ ExchangeServices::ExchangeServices(const ros::NodeHandle& node, Update update) :
 bool ExchangeServices::updateConfiguration(cobot_command::UpdateConfiguration::Request& request,
                                            cobot_command::UpdateConfiguration::Response& response) {
   constexpr const char* kBusy =
-      "the command layer is busy, and has not answered yet: par_seq of the feedback tells when they rule";
+      "the command layer is busy and has not answered yet: par_seq of the feedback shows when the values "
+      "apply";
   const auto answer = answerOf(update_(toSettings(request.par_cmd)), response.message, kBusy);
   if (answer) fill(response, *answer);
   return true;

@@ -38,7 +38,7 @@ bool leadsOut(const std::filesystem::path& path) {
 Result<std::filesystem::path, std::string> toPath(const char* field, const std::string& location) {
   static const std::string kScheme = "package://";
   if (location.find('\0') != std::string::npos) {
-    return refuse(fmt::format("{} is '{}'; a path has no NUL", field, foreignText(location)));
+    return refuse(fmt::format("{} is '{}'; a path must not contain NUL", field, foreignText(location)));
   }
   if (location.compare(0, kScheme.size(), kScheme) != 0) {
     if (std::filesystem::path(location).is_absolute()) return std::filesystem::path(location);
@@ -56,7 +56,7 @@ Result<std::filesystem::path, std::string> toPath(const char* field, const std::
   if (path.empty()) return refuse(foreignText(location) + ": the path in the package is missing");
   if (leadsOut(path)) {
     return refuse(
-        fmt::format("{}: the path leads out of the package; give an absolute path for what is elsewhere",
+        fmt::format("{}: the path leads out of the package; give an absolute path for a file elsewhere",
                     foreignText(location)));
   }
   return std::filesystem::path(folder) / path;

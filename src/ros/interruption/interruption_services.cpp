@@ -18,8 +18,8 @@ InterruptionServices::InterruptionServices(const ros::NodeHandle& node, Ask inte
 /// A heavy arm takes longer to come to rest than callbacks may wait: then it is told by the state.
 bool InterruptionServices::interrupt(Request& /*request*/, Response& response) {
   constexpr const char* kStopping =
-      "the robot is being stopped: sequence of group_state is INTERRUPTED (2) when it stands, and all is "
-      "kept";
+      "the robot is being stopped: sequence of group_state is INTERRUPTED (2) when it is at standstill and "
+      "all goals are kept";
   auto asked = interrupt_();
   const bool is_asked = asked.has_value();
   const auto answer = answerOf(std::move(asked), response.message, kStopping);

@@ -66,7 +66,7 @@ MechanismNode::MechanismNode(const ros::NodeHandle& node, const MechanismParamet
 
 void MechanismNode::measure(double position, Instant now) {
   if (!std::isfinite(position)) {
-    ROS_ERROR_STREAM_THROTTLE(10, "position is " << position << ": a finite number is needed, in m or rad");
+    ROS_ERROR_STREAM_THROTTLE(10, "position is " << position << ": must be a finite number, in m or rad");
     return;
   }
   const bool moves = !position_ || std::abs(position - *position_) > kStandsWithin;
@@ -88,8 +88,8 @@ bool MechanismNode::run(std_srvs::SetBool::Request& request, std_srvs::SetBool::
   agent_->run(request.data != 0);
   tell(steadyNow());
   response.success = 1;
-  response.message = request.data != 0 ? "it sets out on its paths, as it is let go"
-                                       : "it sets out on no other path; one that it is on is gone to its end";
+  response.message = request.data != 0 ? "it starts its paths when the supervisor permits them"
+                                       : "it starts no other path; a path that it has begun is completed";
   return true;
 }
 

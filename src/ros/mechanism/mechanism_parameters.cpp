@@ -7,11 +7,11 @@ namespace cobot_command::ros_adapter {
 
 SettingTable settingsTable(MechanismParameters& p) {
   using namespace setting_kinds;
-  return {{"cell", text(p.cell, absoluteNamespace()), "namespace of the supervisor"},
-          {"mechanism", text(p.mechanism), "its name in the cell; has to be given"},
-          {"artifact", text(p.artifact, orEmpty(absolutePath())),
-           "what `tm_cell build` has made of the cell; has to be given"},
-          {"running", flag(p.running), "it runs its program from the start; else once `run` was called"}};
+  return {{"cell", text(p.cell, absoluteNamespace()), "namespace of the cell supervisor"},
+          {"mechanism", text(p.mechanism), "name of the mechanism in the cell; required"},
+          {"artifact", text(p.artifact, orEmpty(absolutePath())), "file made by `tm_cell build`; required"},
+          {"running", flag(p.running),
+           "true: the program runs from the start; false: only after a call of `run`"}};
 }
 
 Result<MechanismParameters, ParameterError> readMechanismParameters(const GivenParameters& given) {
@@ -20,7 +20,7 @@ Result<MechanismParameters, ParameterError> readMechanismParameters(const GivenP
   auto fault = take(table, given.own);
   if (!fault && parameters.artifact.empty()) fault = SettingFault{"artifact", "is empty", "an absolute path"};
   if (!fault && parameters.mechanism.empty()) {
-    fault = SettingFault{"mechanism", "is empty", "a mechanism of the cell"};
+    fault = SettingFault{"mechanism", "is empty", "the name of a mechanism of the cell"};
   }
   if (fault) return refuse(parameterError(given, *fault));
   parameters.warnings = warningsOfUnknown(given, table, {});

@@ -41,7 +41,7 @@ bool PathServices::setTracking(cobot_command::SetTracking::Request& request,
                                cobot_command::SetTracking::Response& response) {
   const auto refusal =
       answerOf(core_.tracking({request.object, request.enabled != 0, request.automatic != 0}),
-               response.message, "the command layer is busy, and has not answered yet: see tracking_state");
+               response.message, "the command layer is busy and has not answered yet: see tracking_state");
   if (!refusal) return true;
   response.success = static_cast<std::uint8_t>(!*refusal);
   response.message = forPeople(refusal->value_or(""));
@@ -51,7 +51,7 @@ bool PathServices::setTracking(cobot_command::SetTracking::Request& request,
 command::FeedrateAnswer PathServices::asked(const command::FeedrateRequest& request) {
   command::FeedrateAnswer none;
   const auto answer =
-      answerOf(core_.feedrate(request), none.message, "asked for; the controller has not confirmed it yet");
+      answerOf(core_.feedrate(request), none.message, "requested; the controller has not confirmed it yet");
   return answer.value_or(none);
 }
 

@@ -80,8 +80,9 @@ cobot_command::RobotData toMessage(const arm::ArmModel* arm, const JointNames& n
     if (told) {
       target = *told;
     } else {
-      message.unknown.push_back(fmt::format(
-          "{}: there is no status stream, or the controller has not answered for {}", field, item));
+      message.unknown.push_back(
+          fmt::format("{}: there is no status stream, or the controller has not answered the request for {}",
+                      field, item));
     }
   };
   take("controller_model", "Robot_Model", identity.robot_model, message.controller_model);

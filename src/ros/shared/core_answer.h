@@ -15,7 +15,7 @@ namespace cobot_command::ros_adapter {
 /// served.
 inline constexpr std::chrono::milliseconds kCorePatience(500);
 inline constexpr const char* kCoreClosed = "the command layer is shutting down";
-inline constexpr const char* kCoreBusy = "the command layer is busy, and has not answered yet: ask again";
+inline constexpr const char* kCoreBusy = "the command layer is busy and has not answered yet: call again";
 
 /// Nothing: it has not come, and `why` says why not. `busy`: in place of what is told of one that takes too
 /// long.

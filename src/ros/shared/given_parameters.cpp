@@ -52,7 +52,7 @@ Given toGiven(const XmlRpc::XmlRpcValue& value) {
     case XmlRpcValue::TypeArray:
       return listIn(copy);
     case XmlRpcValue::TypeStruct:
-      return {OtherKind{"a namespace with parameters of its own"}};
+      return {OtherKind{"a namespace with parameters"}};
     case XmlRpcValue::TypeDateTime:
       return {OtherKind{"a date"}};
     case XmlRpcValue::TypeBase64:
@@ -88,8 +88,8 @@ std::vector<std::string> warningsOfUnknown(const GivenParameters& given, const S
     if (std::find(others.begin(), others.end(), unknown.name) != others.end()) continue;
     const std::string hint = unknown.meant.empty() ? "doc/parameters.md lists its parameters"
                                                    : "did you mean " + unknown.meant + "?";
-    warnings.push_back(fmt::format("parameter {}/{} is none of this node's, and not used: {}", given.space,
-                                   foreignText(unknown.name), hint));
+    warnings.push_back(fmt::format("parameter {}/{} is not a parameter of this node and is ignored: {}",
+                                   given.space, foreignText(unknown.name), hint));
   }
   return warnings;
 }

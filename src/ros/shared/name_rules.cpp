@@ -7,7 +7,7 @@
 namespace cobot_command::ros_adapter {
 
 setting_kinds::TextRule absoluteNamespace() {
-  return {"an absolute namespace, \"/cell\" say", [](const std::string& name) {
+  return {"an absolute namespace, for example \"/cell\"", [](const std::string& name) {
             std::string reason;
             return name.size() > 1 && name.front() == '/' && name.back() != '/' &&
                    ros::names::validate(name, reason);

@@ -43,14 +43,13 @@ std::string describe(Stage stage) {
     case Stage::Joining:
       return "joining the ROS master at " + ros::master::getURI();
     case Stage::Starting:
-      return "starting, with what it asks the ROS master at " + ros::master::getURI();
+      return "starting, with its requests to the ROS master at " + ros::master::getURI();
     case Stage::Serving:
-      return "the callback that is being served";
+      return "the running callback";
     case Stage::Ending:
-      return "ending what was under way";
+      return "ending the running commands";
     case Stage::Leaving:
-      return "taking its topics, services and parameters back from the ROS master at " +
-             ros::master::getURI();
+      return "removing its topics, services and parameters from the ROS master at " + ros::master::getURI();
   }
   return "";
 }
@@ -167,8 +166,8 @@ class NodeEnd::Impl {
     farewell_.async_wait([](const boost::system::error_code& replaced) {
       if (replaced) return;
       ROS_WARN(
-          "the end is asked for, and the robot is not told to stop yet: the command layer is busy, planning "
-          "say; waiting until it has done");
+          "shutdown was requested, but the robot is not stopped yet: the command layer is busy (for example, "
+          "planning); waiting until it is done");
     });
     begin([this] { boost::asio::post(context_, [this] { limit(kFarewellPatience); }); });
   }
@@ -177,8 +176,8 @@ class NodeEnd::Impl {
     farewell_.expires_after(patience);
     farewell_.async_wait([this, patience](const boost::system::error_code& replaced) {
       if (replaced) return;
-      fmt::print(stderr, "{} s were not enough for {}: leaving the process as it is\n", toSeconds(patience),
-                 describe(stage_));
+      fmt::print(stderr, "{} s were not enough for {}: the process exits without cleaning up\n",
+                 toSeconds(patience), describe(stage_));
       std::quick_exit(0);  // with what it said last
     });
   }

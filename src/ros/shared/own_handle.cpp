@@ -40,7 +40,7 @@ std::optional<std::string> publishedType(const std::string& topic) {
 }
 
 std::string named(const std::string& name, const std::string& resolved) {
-  return fmt::format("{}, which this node calls '{}'", resolved, name);
+  return fmt::format("{}, named '{}' in this node", resolved, name);
 }
 
 }  // namespace
@@ -49,14 +49,15 @@ void OwnHandle::requireType(const std::string& name, const std::string& type) co
   const std::string topic = resolveName(name);
   for (const auto& other : {publishedType(topic), HeardTypes::ofProcess().of(topic)}) {
     if (!other || *other == type) continue;
-    throw NameTaken(fmt::format("{}, has the type {}: something else of it, of type {}, has that name",
-                                named(name, topic), type, *other));
+    throw NameTaken(
+        fmt::format("{}, has the type {}: this node already uses the name for something else, of type {}",
+                    named(name, topic), type, *other));
   }
 }
 
 void OwnHandle::requireHad(bool is_there, const char* what_for, const std::string& name) const {
   if (is_there || ros::isShuttingDown()) return;
-  throw NameTaken(fmt::format("{}, cannot be {}: something else of it has that name",
+  throw NameTaken(fmt::format("{}, cannot be {}: this node already uses the name for something else",
                               named(name, resolveName(name)), what_for));
 }
 

@@ -36,7 +36,7 @@ std::string systemsWords(int error) {
 std::string whyNotThere(const std::filesystem::path& path, int error) {
   struct stat link {};
   if (error == ENOENT && lstat(path.c_str(), &link) == 0 && S_ISLNK(link.st_mode)) {
-    return "it is a link to a file that is not there";
+    return "it is a link to a file that does not exist";
   }
   return error == ENOENT ? "there is no such file" : systemsWords(error);
 }

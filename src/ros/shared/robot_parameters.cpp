@@ -17,7 +17,8 @@ namespace {
 using Arm = std::optional<arm::ArmModel>;
 using ArmResult = Result<Arm, SettingFault>;
 
-constexpr const char* kDescriptions = "a robot_description of the TM family, or a robot_model by name";
+constexpr const char* kDescriptions =
+    "a robot_description of the TM family, or the name of a model in robot_model";
 
 bool isOfSameGeometry(const arm::ArmModel& one, const arm::ArmModel& other) {
   constexpr double kTolerance = 1e-6;  // [m], [rad]
@@ -41,8 +42,8 @@ void compareNames(const RobotParameters& robot, const arm::ArmModel& described,
   const std::string& found = described.jointNames().front();
   if (published == found) return;
   warnings.push_back(
-      fmt::format("prefix is {}, so that the first joint is {}, but in robot_description it is {}: RViz and "
-                  "tf will not see the robot move; give both the same prefix",
+      fmt::format("prefix is {}, so the first joint is {}, but in robot_description it is {}: RViz and tf "
+                  "will not show the robot's motion; use the same prefix for both",
                   quoted(robot.prefix), quoted(published), quoted(found)));
 }
 
@@ -51,14 +52,15 @@ std::optional<SettingFault> compare(const arm::ArmModel& named, const arm::ArmMo
                                     std::vector<std::string>& warnings) {
   if (named.name() != described.name()) {
     return SettingFault{
-        "robot_model", fmt::format("is {}, but robot_description is of a {}", named.name(), described.name()),
-        "the same model for both, or an empty robot_model to use that of robot_description"};
+        "robot_model",
+        fmt::format("is {}, but robot_description describes a {}", named.name(), described.name()),
+        "the same model in both, or an empty robot_model to use robot_description"};
   }
   if (!isOfSameGeometry(named, described)) {
-    warnings.push_back(fmt::format(
-        "robot_model is {}, so that its nominal lengths and limits are used, but robot_description "
-        "has others: leave robot_model empty to use those",
-        named.name()));
+    warnings.push_back(
+        fmt::format("robot_model is {}, so its nominal lengths and limits are used, but those of "
+                    "robot_description differ: leave robot_model empty to use robot_description",
+                    named.name()));
   }
   return std::nullopt;
 }
@@ -73,7 +75,7 @@ ArmResult describedArm(const RobotParameters& robot, const Given& description,
   auto arm = arm::ArmModel::fromUrdf(*urdf);
   if (!arm) {
     return refuse(SettingFault{"robot_model",
-                               "is empty, and robot_description is not usable: " + arm.error().message,
+                               "is empty, and robot_description cannot be used: " + arm.error().message,
                                kDescriptions});
   }
   compareNames(robot, *arm, warnings);
@@ -84,7 +86,7 @@ ArmResult namedArm(const RobotParameters& robot, const std::optional<Given>& des
                    std::vector<std::string>& warnings) {
   auto named = arm::ArmModel::named(robot.robot_model);
   if (!named) {
-    return refuse(SettingFault{"robot_model", "is not usable: " + named.error().message, "a known model"});
+    return refuse(SettingFault{"robot_model", "cannot be used: " + named.error().message, "a known model"});
   }
   const auto* urdf = description ? std::get_if<std::string>(&description->value) : nullptr;
   const auto described = arm::ArmModel::fromUrdf(urdf == nullptr ? std::string() : *urdf);
@@ -100,13 +102,14 @@ ArmResult namedArm(const RobotParameters& robot, const std::optional<Given>& des
 Setting robotModelRow(std::string& robot_model) {
   using namespace setting_kinds;
   return {"robot_model", text(robot_model, orEmpty(oneOf(arm::ArmModel::knownNames()))),
-          "arm for planning and checks; empty: of `robot_description`; neither: moves are sent unplanned"};
+          "arm model for planning and checks; empty: the model of `robot_description`; if that is missing "
+          "too, moves are sent unplanned"};
 }
 
 Setting prefixRow(std::string& prefix) {
   using namespace setting_kinds;
   const TextRule rule{"letters, digits, _, -, . and /, not beginning with /", arm::isNamePrefix};
-  return {"prefix", text(prefix, orEmpty(rule)), "in front of joint and frame names"};
+  return {"prefix", text(prefix, orEmpty(rule)), "prefix of joint and frame names"};
 }
 
 ArmResult armOf(const RobotParameters& robot, const std::optional<Given>& robot_description,

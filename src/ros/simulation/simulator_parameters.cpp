@@ -11,8 +11,8 @@ namespace cobot_command::ros_adapter {
 SettingTable settingsTable(SimulatorNodeSetup& setup) {
   SettingTable table = runtime::settingsTable(setup.simulator);
   table.push_back(prefixRow(setup.prefix));
-  table.push_back(
-      {"publish_rate", setting_kinds::real(setup.publish_rate, 0.1, 1000, "Hz"), "of the node's own topics"});
+  table.push_back({"publish_rate", setting_kinds::real(setup.publish_rate, 0.1, 1000, "Hz"),
+                   "rate of the node's own topics"});
   return table;
 }
 
@@ -26,7 +26,7 @@ Result<SimulatorParameters, ParameterError> readSimulatorParameters(const GivenP
   if (!arm) return refuse(parameterError(given, arm.error()));
   if (!*arm) {
     return refuse(parameterError(given, {"robot_model", "is empty, and there is no robot_description",
-                                         "a model by name, or a robot_description to take it from"}));
+                                         "the name of a model, or a robot_description"}));
   }
   if (const auto fault = runtime::faultIn(setup.simulator, **arm)) {
     return refuse(parameterError(given, *fault));

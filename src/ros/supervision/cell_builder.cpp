@@ -15,8 +15,8 @@ namespace cobot_command::ros_adapter {
 namespace {
 
 constexpr double kFollowEvery = 0.05;  // [s]
-constexpr const char* kMendPlace = "Name a file that can be written for artifact";
-constexpr const char* kMendFile = "Mend the cell's file: tm_cell check names all that is wrong with it";
+constexpr const char* kMendPlace = "Set artifact to a file that can be written";
+constexpr const char* kMendFile = "Fix the cell file: tm_cell check lists all errors in it";
 
 bool isAbsolute(const std::string& name) {
   return !name.empty() && name.front() == '/';
@@ -24,15 +24,15 @@ bool isAbsolute(const std::string& name) {
 
 std::optional<std::string> objectionTo(const cobot_command::BuildCellGoal& goal) {
   if (!isAbsolute(goal.cell_file)) {
-    return fmt::format("cell_file is \"{}\": allowed is an absolute path",
+    return fmt::format("cell_file is \"{}\": it must be an absolute path",
                        foreignText(goal.cell_file, kQuoteLimit));
   }
   if (!goal.artifact.empty() && !isAbsolute(goal.artifact)) {
-    return fmt::format("artifact is \"{}\": allowed is an absolute path, or nothing",
+    return fmt::format("artifact is \"{}\": it must be an absolute path, or empty",
                        foreignText(goal.artifact, kQuoteLimit));
   }
   if (goal.policy.empty() || goal.policy == "supervisor" || goal.policy == "safe_order") return std::nullopt;
-  return fmt::format("policy is \"{}\": allowed are supervisor and safe_order, or nothing",
+  return fmt::format("policy is \"{}\": it must be supervisor, safe_order or empty",
                      foreignText(goal.policy, kQuoteLimit));
 }
 
@@ -55,12 +55,12 @@ CellBuilder::~CellBuilder() {
 
 void CellBuilder::onGoal(Handle goal) {
   auto objection = objectionTo(*goal.getGoal());
-  if (!objection && goal_) objection = "another build_cell is under way";
+  if (!objection && goal_) objection = "another build_cell is running";
   if (objection) {
     cobot_command::BuildCellResult result;
     result.error_id = supervisor_error::kCellNotBuilt;
     result.error_description = forPeople(*objection);
-    result.remedy = "Send what is allowed; one build at a time";
+    result.remedy = "Send allowed values; one build at a time";
     return goal.setRejected(result, result.error_description);
   }
   goal.setAccepted();
@@ -87,7 +87,7 @@ void CellBuilder::build(const cobot_command::BuildCellGoal& goal, cell::Policy p
   try {
     is_done = runStages(goal, policy);
   } catch (const std::exception& error) {
-    failed({fmt::format("the build of {} broke off: {}", foreignText(goal.cell_file), error.what())});
+    failed({fmt::format("the build of {} was aborted: {}", foreignText(goal.cell_file), error.what())});
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   result_.stale = static_cast<std::uint8_t>(is_done && result_.hash != hash_);

@@ -82,11 +82,11 @@ std::optional<ProgramRuns::Fault> ProgramRuns::objectionTo(const cobot_command::
   if (goal.cycles < 0 || goal.cycles > kMostCycles) {
     return Fault{blocks::own_error::kCycleRange,
                  fmt::format("cycles is {}: allowed are 0 to {}", goal.cycles, kMostCycles),
-                 "Give 0 for until cancelled, or a number of cycles"};
+                 "Set 0 to run until cancelled, or a number of cycles"};
   }
   if (!alarm_.empty()) {
-    return Fault{supervisor_error::kCellNotReady, "the monitor has stopped all: " + alarm_,
-                 "Bring the robots apart, and call reset_monitor; where the monitor has died, start it anew"};
+    return Fault{supervisor_error::kCellNotReady, "the monitor has stopped all robots: " + alarm_,
+                 "Move the robots apart, and call reset_monitor; if the monitor has died, restart it"};
   }
   for (const std::string& name : goal.robots) {
     if (std::count(robots_.begin(), robots_.end(), name) == 1) continue;
@@ -97,7 +97,7 @@ std::optional<ProgramRuns::Fault> ProgramRuns::objectionTo(const cobot_command::
   }
   if (goal_) {
     return Fault{supervisor_error::kCellNotReady,
-                 fmt::format("another run_cell is under way: {} robots are still at it", open()),
+                 fmt::format("another run_cell is running, with {} robots still active", open()),
                  "Wait until it has ended, or cancel it"};
   }
   if (status_.mode != Mode::Ready && status_.mode != Mode::Running) {
@@ -105,10 +105,10 @@ std::optional<ProgramRuns::Fault> ProgramRuns::objectionTo(const cobot_command::
         supervisor_error::kCellNotReady,
         fmt::format("the cell is {}{}{}", toString(status_.mode), status_.diagnosis.empty() ? "" : ": ",
                     status_.diagnosis),
-        "Let it go on: by hold with false where it is HOLDING, by recover of the robots that it names"};
+        "Make the cell ready: call hold with false if it is HOLDING; recover the robots that it names"};
   }
   if (status_.is_finishing) {
-    return Fault{supervisor_error::kCellNotReady, "the cell finishes: no robot begins another cycle",
+    return Fault{supervisor_error::kCellNotReady, "the cell is finishing: no robot starts another cycle",
                  "Call finish with false"};
   }
   for (const std::size_t robot : membersOf(goal)) {
@@ -123,7 +123,7 @@ std::optional<ProgramRuns::Fault> ProgramRuns::objectionTo(std::size_t robot) co
   return Fault{supervisor_error::kCellNotReady,
                fmt::format("{} is {}{}{}", status.name, toString(status.state),
                            status.text.empty() ? "" : ": ", status.text),
-               "Bring it to READY, or name the robots that shall run"};
+               "Bring it to READY, or name only robots that can run"};
 }
 
 std::vector<std::size_t> ProgramRuns::membersOf(const cobot_command::RunCellGoal& goal) const {
@@ -166,14 +166,14 @@ void ProgramRuns::sendGoals() {
           member.client->sendGoal(program, [this, number](const auto& handle) { onProgram(number, handle); });
     } else if (is_cancelled_) {
       member.is_open = false;
-      fail({supervisor_error::kCellNotReady, robots_[member.robot] + ": cancelled before it had begun",
-            "Recover what has stopped, and run it again"});
+      fail({supervisor_error::kCellNotReady, robots_[member.robot] + ": cancelled before it started",
+            "Recover the stopped robots, and run the cell again"});
     } else if (now_ > begun_ + kPatience) {
       member.is_open = false;
       fail({supervisor_error::kCellNotReady,
-            fmt::format("{} reports by the node {}, which serves no run_program", robots_[member.robot],
+            fmt::format("{} reports from node {}, which provides no run_program", robots_[member.robot],
                         foreignText(contacts_[member.robot]->publisher(), kQuoteLimit)),
-            "See whether its node is what it has to be"});
+            "Check that this node is the robot's command node"});
     }
   }
   endIfOver();
@@ -200,16 +200,15 @@ void ProgramRuns::onProgram(std::size_t number, const RobotContact::ProgramHandl
   const std::string& name = robots_[member.robot];
   if (!member.is_done && result && result->error_id == blocks::motion_error::kOtherBlockBusy) {
     fail({supervisor_error::kCellNotReady,
-          name + " runs a program already: by a client of its own, or since before the supervisor was "
-                 "started anew",
-          "Let it come to its end by finish, or stop it by stop; then run it again"});
+          name + " already runs a program: of another client, or from before the supervisor was restarted",
+          "Let it end with finish, or stop it with stop; then run the cell again"});
   } else if (!member.is_done && result) {
     const bool is_error = result->error_id != 0;  // else it was stopped, or another command has taken it away
     fail({is_error ? result->error_id : supervisor_error::kCellNotReady,
           fmt::format("{}: {}", name, result->error_description),
-          is_error ? result->remedy : "Recover it where it is FAULT or LOST, and run it again"});
+          is_error ? result->remedy : "Recover it if it is FAULT or LOST, and run the cell again"});
   } else if (!member.is_done) {
-    fail({supervisor_error::kCellNotReady, name + ": its goal is lost", "See what its node says"});
+    fail({supervisor_error::kCellNotReady, name + ": its goal was lost", "Check the output of its node"});
   }
   endIfOver();
 }
@@ -219,8 +218,8 @@ void ProgramRuns::giveUpLost() {
     const cell::RobotStatus& status = status_.robots[member.robot];
     if (member.is_open && member.client && status.session != 0 && status.session != member.session) {
       member.is_open = false;
-      fail({supervisor_error::kCellNotReady,
-            status.name + ": its node was started anew, and its goal is lost", "Run it again"});
+      fail({supervisor_error::kCellNotReady, status.name + ": its node was restarted, and its goal was lost",
+            "Run the cell again"});
       continue;
     }
     // It may be heard again while the others are still at it.
@@ -231,7 +230,7 @@ void ProgramRuns::giveUpLost() {
     if (!is_alone) continue;
     member.is_open = false;
     fail({supervisor_error::kCellNotReady, wordsOfGone(status),
-          "See what its node says; recover it, or confirm that its zones are clear"});
+          "Check the output of its node; recover it, or confirm that its zones are clear"});
   }
   endIfOver();
 }

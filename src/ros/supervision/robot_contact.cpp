@@ -41,8 +41,8 @@ void RobotContact::stop(Instant now) {
 void RobotContact::settle(Instant now) {
   if (is_stopping_ && !stop_told_ && !moves_ && now > ordered_at_ + kReachableWithin) {
     is_stopping_ = false;
-    ROS_ERROR_STREAM("nobody could be told to stop for " << foreignText(publisher_, kQuoteLimit)
-                                                         << ": nobody listens to its stop");
+    ROS_ERROR_STREAM("no stop could be sent for " << foreignText(publisher_, kQuoteLimit)
+                                                  << ": no node subscribes to its stop");
   }
   if (!is_stopping_ || (stop_told_ && now < *stop_told_ + kTellAgain)) return;
   if (!stops_.isConnected()) return;

@@ -65,7 +65,7 @@ void describeMode(DiagnosticStatusWrapper& status, const CellView& view) {
 }
 
 void describeRobots(DiagnosticStatusWrapper& status, const CellView& view) {
-  status.summary(DiagnosticStatus::OK, "all report");
+  status.summary(DiagnosticStatus::OK, "all robots report");
   for (const cell::RobotStatus& robot : view.status.robots) {
     const unsigned char level = levelOf(robot.state);
     if (level != DiagnosticStatus::OK) {
@@ -78,7 +78,7 @@ void describeRobots(DiagnosticStatusWrapper& status, const CellView& view) {
 }
 
 void describeZones(DiagnosticStatusWrapper& status, const CellView& view) {
-  status.summary(DiagnosticStatus::OK, "none is held for long");
+  status.summary(DiagnosticStatus::OK, "no zone is occupied for long");
   for (const cell::ZoneStatus& zone : view.status.zones) {
     const std::string who = zone.owner.empty() ? "" : " by " + zone.owner;
     const std::string held =
@@ -96,22 +96,21 @@ void describeZones(DiagnosticStatusWrapper& status, const CellView& view) {
 
 void describeReports(DiagnosticStatusWrapper& status, const CellView& view) {
   const cell::SupervisionCounts& counts = view.counts;
-  status.summary(DiagnosticStatus::OK, "all are what they have to be");
+  status.summary(DiagnosticStatus::OK, "all reports are valid");
   if (counts.malformed + counts.unknown_robots > 0) {
-    status.summary(DiagnosticStatus::WARN, "some were nothing that a robot of this cell could mean");
+    status.summary(DiagnosticStatus::WARN, "some reports were malformed or of unknown robots");
   }
   if (counts.wrong_sessions > 0) {
     status.mergeSummary(DiagnosticStatus::WARN,
-                        "some were of another session: two nodes for one robot, or one "
-                        "that was started anew");
+                        "some reports were of another session: two nodes for one robot, or a restarted node");
   }
   if (counts.other_supervisors > 0) {
-    status.mergeSummary(DiagnosticStatus::ERROR, "some are for another supervisor");
+    status.mergeSummary(DiagnosticStatus::ERROR, "some reports are for another supervisor");
   }
   if (!view.other.empty()) {
-    status.mergeSummary(
-        DiagnosticStatus::ERROR,
-        fmt::format("{} tells the state of this cell, too: stop one of them", foreignText(view.other)));
+    status.mergeSummary(DiagnosticStatus::ERROR,
+                        fmt::format("{} also publishes the state of this cell: stop one of the two",
+                                    foreignText(view.other)));
   }
   status.add("malformed", counts.malformed);
   status.add("of unknown robots", counts.unknown_robots);

@@ -87,7 +87,7 @@ void SupervisorNode::takeReport(const ReportEvent& event) {
 void SupervisorNode::takeState(const StateEvent& event) {
   if (event.getPublisherName() == ros::this_node::getName()) return;
   ROS_ERROR_STREAM_THROTTLE(10, foreignText(event.getPublisherName())
-                                    << " tells the state of this cell, too: stop one of them");
+                                    << " also publishes the state of this cell: stop one of the two");
   diagnostics_->heardOther(event.getPublisherName());
 }
 
@@ -107,7 +107,7 @@ void SupervisorNode::settle(Instant now) {
   cell::Supervision& core = supervisor_->core();
   core.tick(now);
   for (const cell::StopOrder& order : core.takeStopOrders()) {
-    ROS_WARN_STREAM(core.status(now).robots[order.robot].name << " is told to stop: "
+    ROS_WARN_STREAM(core.status(now).robots[order.robot].name << " is being stopped: "
                                                               << forPeople(order.why));
     contacts_[order.robot]->stop(now);
   }
@@ -126,11 +126,11 @@ bool SupervisorNode::isMonitorLost(Instant now) const {
 
 std::string SupervisorNode::diagnosisOfMonitor(Instant now) const {
   if (isMonitorLost(now)) {
-    return "the monitor is silent: distances are not watched; start it anew" +
-           (alarm_.empty() ? "" : ", as it had stopped all: " + alarm_);
+    return "the monitor publishes nothing: distances are not watched; restart it" +
+           (alarm_.empty() ? "" : "; it had stopped all robots: " + alarm_);
   }
   if (alarm_.empty()) return {};
-  return "the monitor has stopped all: " + alarm_ + "; bring them apart, and call reset_monitor";
+  return "the monitor has stopped all robots: " + alarm_ + "; move them apart, and call reset_monitor";
 }
 
 void SupervisorNode::tell(const cell::CellStatus& status, Instant now) {

@@ -11,18 +11,18 @@ SettingTable settingsTable(SupervisorParameters& p) {
   using runtime::Deciding;
   const TextRule path = absolutePath();
   return {
-      {"artifact", text(p.files.artifact, orEmpty(path)),
-       "what `tm_cell build` has made of the cell; has to be given"},
+      {"artifact", text(p.files.artifact, orEmpty(path)), "file made by `tm_cell build`; required"},
       {"journal", text(p.files.journal, orEmpty(path)),
-       "what was granted is kept there over a restart; made where there is none; has to be given"},
+       "file that keeps the granted permits over a restart; created if it does not exist; required"},
       {"cell_file", text(p.files.cell_file, orEmpty(path)),
-       "the file of the cell: an artifact that is not made of it is refused; empty: it is only verified"},
+       "cell file: an artifact that was not made from it is refused; empty: the artifact is only verified"},
       {"policy",
        choice<Deciding>(p.policy, {{"artifact", Deciding::AsBuilt},
                                    {"supervisor", Deciding::Supervisor},
                                    {"safe_order", Deciding::SafeOrder},
                                    {"schedule", Deciding::Schedule}}),
-       "what decides; artifact: what that was built for; schedule: that, and turns by the shortest cycle"}};
+       "policy that decides permits. artifact: the one the artifact was built for; schedule: the same, but "
+       "robots get zones in the order of the shortest cycle"}};
 }
 
 Result<SupervisorParameters, ParameterError> readSupervisorParameters(const GivenParameters& given) {

@@ -34,16 +34,15 @@ SettingFault faultOfList(const SettingTable& rows, const tables::TextFault& faul
 }
 
 SettingFault faultOfFile(const std::string& path, const std::string& why) {
-  return {
-      "tables_file", fmt::format("is {}: {}", foreignText(path), why),
-      "a file of tables that can be read and written (doc/tables.md), one that is not there yet, or no path"};
+  return {"tables_file", fmt::format("is {}: {}", foreignText(path), why),
+          "a tables file that can be read and written (doc/tables.md), a file that does not exist yet, or no "
+          "path"};
 }
 
 std::string writtenAnew(const std::string& path) {
   return fmt::format(
-      "{} had no last line with the number of its entries, so nobody can tell whether some are missing: it "
-      "was "
-      "taken as it is, and written anew with that line. See to it that all tools, frames and loads are there",
+      "the last line of {}, with the number of entries, was missing, so missing entries cannot be detected: "
+      "the file was accepted and rewritten with that line. Check that all tools, frames and loads are in it",
       foreignText(path));
 }
 
@@ -53,15 +52,15 @@ SettingTable tableRows(TableParameters& p) {
   const std::string placed = std::string("a list of texts ") + kPlacedEntry;
   return {
       {"tools", texts(p.lists.tools, placed + ", each with @LOAD or without"),
-       "tools 1 to 15, until there is a ~tables_file; see doc/tables.md"},
-      {"frames", texts(p.lists.frames, placed + ", each with @REFERENCE or without"), "the same of frames"},
+       "tools 1 to 15, used while ~tables_file does not exist; see doc/tables.md"},
+      {"frames", texts(p.lists.frames, placed + ", each with @REFERENCE or without"), "the same for frames"},
       {"loads",
        texts(p.lists.loads,
              "a list of texts N=KG or N=KG,IXX,IYY,IZZ,X,Y,Z,RX,RY,RZ [kg mm^2; centre in mm, deg]"),
-       "the same of loads"},
+       "the same for loads"},
       {"tables_file", text(p.file, orEmpty(absolutePath())),
-       "keeps tools, frames and loads that are written, so that the next start has them; made by the first "
-       "write. Where it is there, the lists above are not used. Each robot has its own"},
+       "stores written tools, frames and loads for the next start; created by the first write. If the file "
+       "exists, the lists above are not used. Each robot needs its own file"},
   };
 }
 
@@ -87,10 +86,10 @@ std::optional<SettingFault> readTables(TableParameters& parameters, const arm::A
   const tables::TableLists& lists = parameters.lists;
   const bool has_lists = !lists.tools.empty() || !lists.frames.empty() || !lists.loads.empty();
   if (has_lists && toFile(of_file->tables) != toFile(parameters.tables)) {
-    warnings.push_back(fmt::format(
-        "tools, frames and loads are those of {}, which has others than the parameters ~tools, ~frames and "
-        "~loads: remove the file to begin with the parameters again",
-        foreignText(parameters.file)));
+    warnings.push_back(
+        fmt::format("tools, frames and loads are taken from {}, and the parameters ~tools, ~frames and "
+                    "~loads differ: remove the file to use the parameters",
+                    foreignText(parameters.file)));
   }
   parameters.tables = std::move(of_file->tables);
   return std::nullopt;

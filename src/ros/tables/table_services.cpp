@@ -106,10 +106,10 @@ bool TableServices::read(typename Of::Read::Request& request, typename Of::Read:
 command::TableAnswer TableServices::written(const command::TableWrite& write) {
   auto answer = writer_.write(write);
   if (answer.wait_for(kPatience) == std::future_status::ready) return answer.get();
-  return refuse(tables::Refusal{tables::table_error::kNotKept, static_cast<tables::Kind>(write.entry.index()),
-                                write.index,
-                                fmt::format("its file is not written within {} ms", kPatience.count()),
-                                "a disk that works", "It may be written later: read it again"});
+  return refuse(
+      tables::Refusal{tables::table_error::kNotKept, static_cast<tables::Kind>(write.entry.index()),
+                      write.index, fmt::format("its file was not written within {} ms", kPatience.count()),
+                      "a disk that responds in time", "It can still be written later: read it again"});
 }
 
 template <class Of>

@@ -34,9 +34,9 @@ Refusal notKept(const TableWrite& write, const std::string& why) {
   return {tables::table_error::kNotKept,
           kindOf(write),
           write.index,
-          "it cannot be kept: " + foreignText(why),
+          "it cannot be stored: " + foreignText(why),
           "a file that can be written",
-          "Look after ~tables_file: its folder, its rights, the room on its disk"};
+          "Check ~tables_file: its folder, its permissions, the free space on its disk"};
 }
 
 Refusal closing(const TableWrite& write) {
@@ -44,7 +44,7 @@ Refusal closing(const TableWrite& write) {
           kindOf(write),
           write.index,
           "the command layer is shutting down",
-          "to write while it works",
+          "a write while the command layer runs",
           "Start the command layer again"};
 }
 
@@ -130,7 +130,7 @@ class TableWriter::Desk {
     const bool is_other = toFile(changed) != toFile(kept_);
     if (const auto why_not = is_other ? keep_(changed) : std::nullopt) {
       ROS_ERROR_STREAM(
-          "the tables were changed, and ~tables_file does not have that: " << forPeople(*why_not));
+          "the tables were changed, but the change is not in ~tables_file: " << forPeople(*why_not));
       return;
     }
     kept_ = changed;

@@ -56,10 +56,10 @@ std::vector<std::string> writeFile(const std::string& name, const std::string& t
   std::error_code error;
   const std::filesystem::path target = behindLinks(name);
   if (std::filesystem::exists(target, error) && !std::filesystem::is_regular_file(target, error)) {
-    return {fmt::format("{} cannot be written: it is no file", foreignText(name))};
+    return {fmt::format("{} cannot be written: it is not a file", foreignText(name))};
   }
   if (!made_of.empty() && std::filesystem::equivalent(target, made_of, error)) {
-    return {fmt::format("{} cannot be written: it is what it is made of: give it another name",
+    return {fmt::format("{} cannot be written: it is the input file: give the output another name",
                         foreignText(name))};
   }
   // Beside it first, so that nobody ever finds half of one.
@@ -102,7 +102,7 @@ std::optional<std::string> objectionTo(const cell::Artifact& artifact, const std
   const std::string hash = hashOf(*cell);
   if (hash == artifact.hash) return std::nullopt;
   return fmt::format(
-      "{} is not made of {}, whose hash is {}, and not {}: build it anew, by tm_cell build, for all nodes of "
+      "{} was not made from {}, whose hash is {}, not {}: rebuild it with tm_cell build, for all nodes of "
       "the cell",
       foreignText(artifact_file), foreignText(cell_file), hash.substr(0, 8),
       foreignText(artifact.hash.substr(0, 8)));

@@ -32,8 +32,8 @@ std::optional<std::string> faultOf(const cell::Artifact& artifact, const Supervi
   const std::string more =
       faults.size() == 1 ? std::string() : fmt::format(" (the first of {})", faults.size());
   return fmt::format(
-      "{} is not what is made of its cell: {}{}. It was changed, or made by another version or on another "
-      "kind of machine: build it anew, by tm_cell build, for all nodes of the cell",
+      "{} does not match its cell: {}{}. It was changed, or was made by another version or on another kind "
+      "of machine: rebuild it with tm_cell build, for all nodes of the cell",
       foreignText(files.artifact), faults.front(), more);
 }
 

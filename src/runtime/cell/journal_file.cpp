@@ -74,19 +74,19 @@ Result<std::unique_ptr<JournalFile>, std::string> JournalFile::open(const std::s
   journal->file_ = file;
   if (!isLocked(file) || !isNamed(file, name)) {
     return refuse(fmt::format(
-        "the journal {} is in use: there is another supervisor with it; stop that, or give this one its own",
+        "the journal {} is in use by another supervisor; stop that supervisor, or use another journal",
         foreignText(name)));
   }
   const auto bytes = readFile(name);
   if (!bytes) return refuse(bytes.error());
   auto contents = cell::journal::read(*bytes);
   if (!contents) {
-    return refuse(
-        fmt::format("the journal {} is damaged at line {}: {}; bring all robots home, and begin a new one",
-                    foreignText(name), contents.error().line, contents.error().message));
+    return refuse(fmt::format(
+        "the journal {} is damaged at line {}: {}; bring all robots home, and start a new journal",
+        foreignText(name), contents.error().line, contents.error().message));
   }
   const auto whole = static_cast<off_t>(bytes->size() - contents->torn);
-  if (contents->torn > 0 && ::ftruncate(file, whole) != 0) return refuse(because(name, "cannot be mended"));
+  if (contents->torn > 0 && ::ftruncate(file, whole) != 0) return refuse(because(name, "cannot be repaired"));
   static_cast<void>(syncFolder(name));
   journal->records_ = std::move(contents->records);
   return journal;

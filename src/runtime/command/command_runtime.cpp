@@ -166,7 +166,7 @@ class CommandRuntime::Impl {
 
   /// It ends before the core has heard of it.
   void recall(blocks::GoalId id, blocks::Block block) {
-    const blocks::Outcome outcome = blocks::commandAborted("cancelled before its turn came");
+    const blocks::Outcome outcome = blocks::commandAborted("cancelled before it was started");
     observer_(command::GoalEnded{block, id, outcome}, now());
     handle([&](auto& core, Instant now) { core.tellEnd(block, outcome, now); });
   }

@@ -47,12 +47,14 @@ SimulatorError cannotServe(const std::string& address, int port, const transport
   const std::string found = fmt::format("cannot serve port {} on {}: {}", port, address, error.message);
   switch (error.kind) {
     case transport::NetworkError::Kind::AddressInUse:
-      return {SimulatorError::Kind::Unavailable,
-              found + "; another program serves it: stop that, or choose another port (0: any free one)"};
+      return {
+          SimulatorError::Kind::Unavailable,
+          found + "; another program uses it: stop that program, or choose another port (0: any free one)"};
     case transport::NetworkError::Kind::BadAddress:
-      return {SimulatorError::Kind::BadOption, found +
-                                                   "; bind_address is to be an address of this machine: "
-                                                   "127.0.0.1 for programs on it alone, 0.0.0.0 for all"};
+      return {SimulatorError::Kind::BadOption,
+              found +
+                  "; bind_address must be an address of this machine: 127.0.0.1 for programs on this machine "
+                  "only, 0.0.0.0 for all"};
     default:
       return {SimulatorError::Kind::Unavailable, found};
   }

@@ -14,7 +14,7 @@ namespace {
 using namespace setting_kinds;
 
 TextRule address() {
-  return {"an address of this machine in numbers", [](const std::string& text) {
+  return {"a numeric address of this machine", [](const std::string& text) {
             boost::system::error_code fault;
             boost::asio::ip::make_address(text, fault);
             return !fault;
@@ -36,10 +36,10 @@ SettingKind timeScale(double& scale) {
 SettingTable optionsTable(SimulatorOptions& o) {
   return {
       {"bind_address", text(o.bind_address, address()),
-       "whom to serve; 127.0.0.1: programs on this machine alone, 0.0.0.0: every network", "bind"},
+       "who can connect; 127.0.0.1: only programs on this machine, 0.0.0.0: every network", "bind"},
       {"script_port", port(o.script_port), "port of the Listen node; 0: any free one"},
       {"status_port", port(o.status_port), "port of the status stream; 0: any free one"},
-      {"time_scale", timeScale(o.time_scale), "simulated seconds in a real one"},
+      {"time_scale", timeScale(o.time_scale), "simulated seconds per real second"},
   };
 }
 
@@ -48,16 +48,17 @@ SettingTable optionsTable(SimulatorOptions& o) {
 SettingTable settingsTable(SimulatorSetup& setup) {
   const SettingTable model{
       {"robot_model", text(setup.robot_model, orEmpty(oneOf(arm::ArmModel::knownNames()))),
-       "arm to simulate; empty: of the parameter robot_description, in tm_simulator tm5-900", "model"}};
+       "arm model to simulate; empty: the model of the parameter robot_description, in tm_simulator tm5-900",
+       "model"}};
   const SettingTable log{{"log_traffic", flag(setup.log_traffic),
-                          "what is sent and received is told in words, but for the status stream"}};
+                          "logs sent and received messages in words, except the status stream"}};
   return joined({model, optionsTable(setup.options), simulator::settingsTable(setup.settings), log});
 }
 
 std::optional<SettingFault> faultIn(const SimulatorSetup& setup, const arm::ArmModel& arm) {
   const int port = setup.options.status_port;
   if (port != 0 && port == setup.options.script_port) {
-    return SettingFault{"status_port", fmt::format("is {}, which script_port is, too", port),
+    return SettingFault{"status_port", fmt::format("is {}, the same as script_port", port),
                         "another port, or 0 for any free one"};
   }
   return simulator::faultIn(setup.settings, arm);

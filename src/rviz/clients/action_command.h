@@ -36,7 +36,7 @@ class ActionCommand : public Command {
     looks_without_node_ = 0;
     CommandState sent;
     sent.phase = CommandState::Phase::Busy;
-    sent.text = "waits for the command node";
+    sent.text = "waiting for the command node";
     waiting_ = goal;
     become(sent);
     if (!client_.isServerConnected()) return;
@@ -76,20 +76,20 @@ class ActionCommand : public Command {
     if (!isBusy() || ++looks_without_node_ < kPatience) return;
     if (waiting_) {
       waiting_.reset();
-      become(failed(Cause::NoNode, "There is no command node that serves " + name_,
-                    "Start it, or choose the robot that it is for"),
+      become(failed(Cause::NoNode, "There is no command node that provides " + name_,
+                    "Start the command node, or choose another robot"),
              {});
       return;
     }
     handles_.clear();
     ++newest_;
-    become(failed(Cause::NodeGone, kGone, "See that the robot stands; start the node again"), {});
+    become(failed(Cause::NodeGone, kGone, "Check that the robot is at standstill; restart the node"), {});
   }
 
  private:
   /// Looks, of which there are ten in a second.
   static constexpr int kPatience = 20;
-  static constexpr const char* kGone = "The command node has gone; nobody knows what became of the command";
+  static constexpr const char* kGone = "The command node is gone; the outcome of the command is unknown";
   using Cause = CommandState::Cause;
 
   /// The node is there, again or at last: what was said of its absence is not so any more.
@@ -97,7 +97,9 @@ class ActionCommand : public Command {
     if (isBusy()) return;
     if (state().cause == Cause::NoNode) become({}, {});
     if (state().cause == Cause::NodeGone) {
-      become(failed(Cause::Other, kGone, "See that the robot stands, and what of the command was done"), {});
+      become(failed(Cause::Other, kGone,
+                    "Check that the robot is at standstill, and how far the command was executed"),
+             {});
     }
   }
 
@@ -130,14 +132,14 @@ class ActionCommand : public Command {
     if (unanswered_ == Unanswered::TakenBack) {
       cancel();
       ++newest_;
-      become(failed(Cause::TakenBack, "The command node does not answer, and the command was taken back",
-                    "See whether the node and its network live; the robot may do as before"),
+      become(failed(Cause::TakenBack, "The command node does not answer; the command was withdrawn",
+                    "Check the node and its network; the robot may continue as before"),
              {});
       return;
     }
     CommandState silent = state();
     silent.unanswered = true;
-    silent.text = "sent, but the command node does not answer: the robot may do as before";
+    silent.text = "sent, but the command node does not answer: the robot may continue as before";
     become(silent);
   }
 
@@ -190,7 +192,7 @@ class ActionCommand : public Command {
     }
     CommandState ended;
     ended.phase = CommandState::Phase::Aborted;
-    ended.description = "It was taken back, as the command node did not answer for two seconds";
+    ended.description = "It was withdrawn because the command node did not answer for two seconds";
     become(ended, {});
   }
 
@@ -212,9 +214,9 @@ class ActionCommand : public Command {
     ended.step = -1;
     const ResultConstPtr result = handle.getResult();
     if (!result) {
-      become(failed(Cause::Other, "The goal was lost: the command node was started again",
-                    "Give the command again"),
-             {});
+      become(
+          failed(Cause::Other, "The goal was lost: the command node was restarted", "Send the command again"),
+          {});
       return;
     }
     outcome::readResult(*result, ended);

@@ -40,15 +40,14 @@ class Poses : public rviz::LinkUpdater {
 
 }  // namespace
 
-ArmDisplay::ArmDisplay() : ArmDisplay("joint_states", "Where the arm is", 1) {}
+ArmDisplay::ArmDisplay() : ArmDisplay("joint_states", "Joint angles of the arm", 1) {}
 
 ArmDisplay::ArmDisplay(const char* topic, const char* about, float alpha)
     : topic_(new rviz::RosTopicProperty("Joints", topic, "sensor_msgs/JointState", about, this,
                                         SLOT(subscribe()))),
       description_(new rviz::StringProperty("Robot Description", "robot_description",
                                             "The parameter with the arm's URDF", this, SLOT(loadModel()))),
-      alpha_(new rviz::FloatProperty("Alpha", alpha, "0: cannot be seen, 1: as a real one", this,
-                                     SLOT(setAlpha()))) {
+      alpha_(new rviz::FloatProperty("Alpha", alpha, "0: invisible, 1: opaque", this, SLOT(setAlpha()))) {
   alpha_->setMin(0);
   alpha_->setMax(1);
 }
@@ -91,17 +90,17 @@ void ArmDisplay::loadModel() {
   urdf_ = urdf::parseURDF(text);
   if (!urdf_) {
     setStatus(rviz::StatusProperty::Error, "URDF",
-              "The parameter " + description_->getString() + " is no URDF");
+              "The parameter " + description_->getString() + " is not a URDF");
     return;
   }
   setStatus(rviz::StatusProperty::Ok, "URDF", "Read");
   arm_->load(*urdf_, true, false);
-  paint(*arm_);
+  colorLinks(*arm_);
   setAlpha();
   showIfKnown();
 }
 
-void ArmDisplay::paint(rviz::Robot& /*arm*/) {}
+void ArmDisplay::colorLinks(rviz::Robot& /*arm*/) {}
 
 void ArmDisplay::setAlpha() {
   if (!arm_) return;
@@ -136,7 +135,7 @@ bool ArmDisplay::findRoot() {
   const bool found =
       context_->getFrameManager()->getTransform(urdf_->getRoot()->name, ros::Time(), position, orientation);
   setStatus(found ? rviz::StatusProperty::Ok : rviz::StatusProperty::Warn, "Base",
-            found ? "Known" : "tf does not know where the base of the arm is");
+            found ? "Known" : "tf has no transform to the base of the arm");
   if (!found) return false;
   arm_->setPosition(position);
   arm_->setOrientation(orientation);

@@ -38,7 +38,7 @@ class ArmDisplay : public rviz::Display {
   void onEnable() override;
   void onDisable() override;
   /// Of a model that was just read.
-  virtual void paint(rviz::Robot& arm);
+  virtual void colorLinks(rviz::Robot& arm);
   [[nodiscard]] rviz::Robot* arm() { return arm_.get(); }
 
   rviz::RosTopicProperty* topic_;

@@ -17,8 +17,8 @@ const QColor kBlue(47, 111, 181);
 }  // namespace
 
 GhostDisplay::GhostDisplay()
-    : ArmDisplay(kPreviewJoints, "Where the arm would stand; a message without joints hides it", kAlpha),
-      color_(new rviz::ColorProperty("Color", kBlue, "Of all its links", this, SLOT(repaint()))) {}
+    : ArmDisplay(kPreviewJoints, "Planned position of the arm; a message without joints hides it", kAlpha),
+      color_(new rviz::ColorProperty("Color", kBlue, "Color of all links", this, SLOT(repaint()))) {}
 
 void GhostDisplay::onInitialize() {
   ArmDisplay::onInitialize();
@@ -35,7 +35,7 @@ void GhostDisplay::listenToOwn() {
   topic_->hide();
 }
 
-void GhostDisplay::paint(rviz::Robot& arm) {
+void GhostDisplay::colorLinks(rviz::Robot& arm) {
   const QColor color = color_->getColor();
   for (const auto& [name, link] : arm.getLinks()) {
     link->setColor(static_cast<float>(color.redF()), static_cast<float>(color.greenF()),
@@ -45,7 +45,7 @@ void GhostDisplay::paint(rviz::Robot& arm) {
 
 void GhostDisplay::repaint() {
   if (arm() == nullptr) return;
-  paint(*arm());
+  colorLinks(*arm());
   context_->queueRender();
 }
 

@@ -21,7 +21,7 @@ class GhostDisplay : public ArmDisplay {
 
  protected:
   void onInitialize() override;
-  void paint(rviz::Robot& arm) override;
+  void colorLinks(rviz::Robot& arm) override;
 
  private:
   void listenToOwn();

@@ -17,10 +17,11 @@ struct Part {
 };
 
 constexpr std::array<Part, 3> kParts{
-    {{"rviz/InteractiveMarkers", "Target, to be dragged", kPreviewTarget, "/update",
+    {{"rviz/InteractiveMarkers", "Draggable target", kPreviewTarget, "/update",
       "visualization_msgs/InteractiveMarkerUpdate"},
-     {"rviz/MarkerArray", "What cannot be, names", kPreviewMarkers, "", "visualization_msgs/MarkerArray"},
-     {"rviz/Marker", "Path that was driven", kDrivenPath, "", "visualization_msgs/Marker"}}};
+     {"rviz/MarkerArray", "Infeasible points, frame names", kPreviewMarkers, "",
+      "visualization_msgs/MarkerArray"},
+     {"rviz/Marker", "Driven path", kDrivenPath, "", "visualization_msgs/Marker"}}};
 
 }  // namespace
 

@@ -37,7 +37,7 @@ Field movementField() {
 Field bufferModeField() {
   Field field = choiceField("buffer_mode", "While another is busy",
                             {{0, "refuse"}, {1, "wait its turn"}, {2, "stop the others"}}, 0);
-  field.hint = "What becomes of the command while another one is under way";
+  field.hint = "What happens to the command while another one is running";
   return field;
 }
 
@@ -47,13 +47,13 @@ void addMotion(std::vector<Field>& fields) {
     field.hint = hint;
     fields.push_back(std::move(field));
   };
-  add(numberField("speed_percent", "Speed", "%", 1, 100, 20), kMotion, "Of the rated speed");
-  add(numberField("speed_mm_s", "Speed", "mm/s", 1, 4500, 100), kMotion, "Of the tool");
+  add(numberField("speed_percent", "Speed", "%", 1, 100, 20), kMotion, "Percentage of the rated speed");
+  add(numberField("speed_mm_s", "Speed", "mm/s", 1, 4500, 100), kMotion, "Speed of the tool");
   add(numberField("accel_time", "Ramp", "ms", 150, 9999, 300), kMotion, "Time to top speed");
   fields.push_back(switchField("blending_enable", "Enable blending", false));
-  fields.back().hint = "Leave the target before it is reached, for the next motion";
-  add(numberField("blending_percent", "Blending", "%", 0, 100, 50), "", "How early the target is left");
-  add(numberField("blending_mm", "Blending radius", "mm", 0, 2000, 20), "", "How early the target is left");
+  fields.back().hint = "Blend into the next motion before the target is reached";
+  add(numberField("blending_percent", "Blending", "%", 0, 100, 50), "", "How early blending starts");
+  add(numberField("blending_mm", "Blending radius", "mm", 0, 2000, 20), "", "How early blending starts");
   fields.push_back(switchField("precise", "Precise point", true));
   fields.back().hint = "Settle at the target before the motion is done";
   fields.push_back(bufferModeField());

@@ -51,7 +51,7 @@ void ruleAbsolute(Form& form) {
 
 void addRobotPose(std::vector<Field>& fields) {
   fields.push_back(switchField("robot_pose_enable", "Choose the robot pose", false));
-  fields.back().hint = "Otherwise the pose of the start is kept";
+  fields.back().hint = "Otherwise the pose at the start is kept";
   for (Field field : {choiceField("config1", "Shoulder", {{0, "Righty"}, {1, "Lefty"}}, 0),
                       choiceField("config2", "Elbow", {{2, "Above"}, {3, "Below"}}, 2),
                       choiceField("config3", "Wrist", {{4, "Noflip"}, {5, "Flip"}}, 4)}) {
@@ -120,7 +120,7 @@ Form moveCircleForm() {
   addPose(fields, "arc", "Arc position");
   addPose(fields, "end", "End position");
   fields.push_back(numberField("arc_angle", "Arc angle", "°", 0, 360, 0));
-  fields.back().hint = "0: to the end position; else this far along the circle through it";
+  fields.back().hint = "0: to the end position; else by this angle along the circle through it";
   addMotion(fields);
   const Preset half_circle{"Preset values",
                            {{"data_format", 0},

@@ -29,13 +29,13 @@ Preset robotBase() {
 Form connectForm() {
   std::vector<Field> fields;
   fields.push_back(
-      textField("host", "Robot address", "", "Name or IP address; empty: as the command node was started"));
+      textField("host", "Robot address", "", "Name or IP address; empty: as set in the command node"));
   fields.push_back(numberField("port", "Script port", "", 0, 65535, 0));
-  fields.back().hint = "Of the Listen node, 5890 on a controller; 0: as the command node was started";
+  fields.back().hint = "Of the Listen node, 5890 on a controller; 0: as set in the command node";
   fields.push_back(numberField("status_port", "Status port", "", 0, 65535, 0));
-  fields.back().hint = "Of the Ethernet slave, 5891 on a controller; 0: as the command node was started";
+  fields.back().hint = "Of the Ethernet Slave, 5891 on a controller; 0: as set in the command node";
   fields.push_back(numberField("timeout", "Timeout", "s", 10, 300, 30));
-  fields.back().hint = "How long to try";
+  fields.back().hint = "Time limit of connecting";
   return Form(std::move(fields), nullptr,
               {{"Preset values", {{"port", 0}, {"status_port", 0}, {"timeout", 30}}, {{"host", ""}}},
                {"Ports of a controller", {{"port", 5890}, {"status_port", 5891}}, {}}});
@@ -44,9 +44,8 @@ Form connectForm() {
 Form changeBaseForm() {
   std::vector<Field> fields;
   addPose(fields, "base", "Base in the robot base");
-  fields.push_back(
-      textField("base_name", "Base of the project", "",
-                "A base that the controller's project has, by its name, in place of the numbers"));
+  fields.push_back(textField("base_name", "Base of the project", "",
+                             "Name of a base of the controller's project, in place of the numbers"));
   fields.push_back(bufferModeField());
   return Form(std::move(fields),
               [](Form& form) { form.showGroup("Base in the robot base", form.text("base_name").empty()); },
@@ -63,7 +62,7 @@ Form changeTcpForm() {
   }
   addPose(fields, "mass_center", "Mass centre in the tool");
   fields.push_back(textField("tcp_name", "TCP of the project", "",
-                             "A TCP that the controller's project has, by its name, in place of all these"));
+                             "Name of a TCP of the controller's project, in place of all these numbers"));
   fields.push_back(bufferModeField());
   const auto rule = [](Form& form) {
     const bool numbers = form.text("tcp_name").empty();

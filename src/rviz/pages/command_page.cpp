@@ -81,7 +81,7 @@ void CommandPage::addPresets(QBoxLayout& layout) {
 void CommandPage::addTakings(QBoxLayout& layout, const std::vector<Taking>& takings) {
   for (const Taking& taking : takings) {
     QPushButton* taker = button(taking.label, ("take_" + taking.tool).c_str());
-    taker->setToolTip("Where the robot is now");
+    taker->setToolTip("Current position of the robot");
     connect(taker, &QPushButton::clicked, this, [this, taking] { take(taking); });
     layout.addWidget(taker);
   }
@@ -89,7 +89,7 @@ void CommandPage::addTakings(QBoxLayout& layout, const std::vector<Taking>& taki
 
 void CommandPage::addButtons(QBoxLayout& layout, const CommandPageSpec& spec) {
   check_button_ = button("Check", "check");
-  check_button_->setToolTip("Plans it, and sends nothing");
+  check_button_->setToolTip("Plans the command; nothing is sent to the robot");
   execute_button_ = button(spec.execute, "execute");
   QPushButton* cancel = button(spec.cancel, "cancel");
   connect(check_button_, &QPushButton::clicked, this, [this] {

@@ -43,10 +43,11 @@ QWidget* LoadPathPage::makeFileButtons() {
   layout->setContentsMargins(0, 0, 0, 0);
   auto* browse_button = new QPushButton("Browse ...");
   browse_button->setObjectName("browse");
-  browse_button->setToolTip("Of this machine: it has to be that of the command node, or have the same files");
-  auto* all = new QPushButton("All its points");
+  browse_button->setToolTip(
+      "A file on this machine: it must be the command node's machine, or have the same files");
+  auto* all = new QPushButton("All points");
   all->setObjectName("all_points");
-  all->setToolTip("Counts the points of the file, where it can be read on this machine");
+  all->setToolTip("Counts the points of the file, if it can be read on this machine");
   connect(browse_button, &QPushButton::clicked, this, [this] { browse(); });
   connect(all, &QPushButton::clicked, this, [this] { takeAllPoints(); });
   layout->addWidget(browse_button);
@@ -56,7 +57,7 @@ QWidget* LoadPathPage::makeFileButtons() {
 }
 
 void LoadPathPage::browse() {
-  auto* dialog = new QFileDialog(this, "A path", "", "Paths (*.yaml *.yml);;All files (*)");
+  auto* dialog = new QFileDialog(this, "Path file", "", "Paths (*.yaml *.yml);;All files (*)");
   dialog->setObjectName("browse_dialog");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
@@ -76,8 +77,9 @@ void LoadPathPage::takeAllPoints() {
     form().set("start_index", 0);
     answer_->show("");
   } else {
-    answer_->show(count ? "It has no points, or too many."
-                        : "It cannot be read on this machine, or is no path: enter how many points it has.");
+    answer_->show(
+        count ? "The file has no points, or too many."
+              : "The file cannot be read on this machine, or is not a path: enter the number of its points.");
   }
   refresh();
   changed();
@@ -116,7 +118,7 @@ QWidget* LoadPathPage::makeFeedrate() {
 }
 
 void LoadPathPage::setFeedrate(double percent) {
-  answer_->show("Asked ...");
+  answer_->show("Requested ...");
   cobot_command::SetFeedrate service;
   service.request.percent = percent;
   workplace().calls->call<cobot_command::SetFeedrate>(
@@ -127,7 +129,7 @@ void LoadPathPage::setFeedrate(double percent) {
 }
 
 void LoadPathPage::trigger(const char* service) {
-  answer_->show("Asked ...");
+  answer_->show("Requested ...");
   workplace().calls->call<std_srvs::Trigger>(
       workplace().robot->node().resolveName(service), {},
       [this](bool answered, const std_srvs::Trigger& answer) {

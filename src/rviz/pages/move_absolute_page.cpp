@@ -45,7 +45,7 @@ QWidget* MoveAbsolutePage::makeStepper() {
   auto* next = new QPushButton("▶");
   next->setObjectName("configuration_next");
   for (QPushButton* button : {before, next}) {
-    button->setToolTip("Another pose of the robot in which the target is reached");
+    button->setToolTip("Another configuration that reaches the target");
   }
   connect(before, &QPushButton::clicked, this, [this] { step(-1); });
   connect(next, &QPushButton::clicked, this, [this] { step(1); });
@@ -81,7 +81,7 @@ std::optional<Configuration> MoveAbsolutePage::chosen() {
 void MoveAbsolutePage::showTarget() {
   if (workplace().target == nullptr) return;
   const auto configuration = chosen();
-  configuration_->show(configuration ? nameOf(*configuration) : QString("as the robot stands"));
+  configuration_->show(configuration ? nameOf(*configuration) : QString("current configuration"));
   if (form().field("target.0").shown) {
     workplace().target->show(form().six("target"), configuration);
   } else {
@@ -102,7 +102,8 @@ void MoveAbsolutePage::drag(const Target::Six& target) {
 void MoveAbsolutePage::step(int by) {
   const std::vector<Configuration>& reaching = workplace().target->configurations();
   if (reaching.empty() || !form().field("robot_pose_enable").shown) {
-    configuration_->show(reaching.empty() ? "none reaches the target" : "a line keeps that of its start");
+    configuration_->show(reaching.empty() ? "no configuration reaches the target"
+                                          : "a line keeps the configuration of its start");
     return;
   }
   const auto now = chosen();

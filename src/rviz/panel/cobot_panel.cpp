@@ -194,7 +194,7 @@ void CobotPanel::choose(const QString& name) {
   std::string fault;
   const bool valid = ros::names::validate(name.toStdString(), fault);
   if (!valid) {
-    fault_ = "'" + name + "' is no namespace";
+    fault_ = "'" + name + "' is not a namespace";
     fault_looks_ = kLooksAtFault;
   }
   const std::string wanted = valid ? absolute(name.toStdString()) : name_.toStdString();
@@ -269,7 +269,7 @@ void CobotPanel::look() {
 void CobotPanel::showConnection() {
   QString now = connectionText(robot_->commandStatus());
   if (robot_->isStreaming()) now += robotText(robot_->robotStatus());
-  if (robot_->isSilent()) now = "the command node says nothing: what is shown is old";
+  if (robot_->isSilent()) now = "no data from the command node: the display is outdated";
   if (fault_looks_ > 0) --fault_looks_;
   connection_->show(fault_looks_ > 0 ? fault_ : now);
 }

@@ -36,8 +36,8 @@ StopBar::StopBar(Fleet& fleet, QWidget* parent)
   auto* pause = button<QPushButton>("Pause", "pause", "");
   auto* resume = button<QPushButton>("Resume", "resume", "");
   stop_->setToolTip("Stops the robot and empties its queue");
-  stop_all_->setToolTip("Stops every robot that the list has, and empties their queues");
-  pause->setToolTip("Holds the robot on its way");
+  stop_all_->setToolTip("Stops every robot in the list and empties their queues");
+  pause->setToolTip("Pauses the robot on its path");
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   int column = 0;
@@ -86,9 +86,9 @@ void StopBar::bind(Robot& robot, const QString& name) {
   stop_->setToolTip("Stops " + name + " and empties its queue");
   for (Line* line : {&stop_line_, &control_line_}) write(*line, "", false);
   robot.stopping().onChange(
-      [this, &robot] { tell(stop_line_, "Stop", "the robot stands", robot.stopping()); });
+      [this, &robot] { tell(stop_line_, "Stop", "the robot is at standstill", robot.stopping()); });
   robot.control().onChange([this, &robot] {
-    tell(control_line_, pauses_ ? "Pause" : "Resume", pauses_ ? "the robot is held" : "the robot goes on",
+    tell(control_line_, pauses_ ? "Pause" : "Resume", pauses_ ? "the robot is paused" : "the robot continues",
          robot.control());
   });
 }
@@ -101,7 +101,7 @@ void StopBar::tell(Line& line, const QString& what, const QString& done, const C
   if (state.phase == Phase::Busy) words = QString::fromStdString(state.text);
   if (state.unanswered) words += ". Use the emergency stop.";
   if (state.phase == Phase::Done) words = found.isEmpty() ? done : found;
-  if (state.phase == Phase::Aborted) words = found.isEmpty() ? QString("taken away") : "taken away: " + found;
+  if (state.phase == Phase::Aborted) words = found.isEmpty() ? QString("aborted") : "aborted: " + found;
   if (state.phase == Phase::Error) {
     const QString id = state.error_id == 0 ? QString() : errorIdText(state.error_id) + " ";
     words = id + found + " → " + QString::fromStdString(state.remedy);

@@ -198,14 +198,14 @@ void MotionQueue::halt(Instant now) {
 std::optional<std::string> MotionQueue::setVelocity(const Velocity& velocity, Instant now) {
   const bool of_tcp = isOfTcp(velocity);
   if (velocities_.takes(of_tcp)) {
-    if (holds_.any()) return "the robot is paused, and takes no velocity: let it go on first";
+    if (holds_.any()) return "the robot is paused and accepts no velocity: resume it first";
     velocities_.renew(now);
     drive(velocity, now);
     return std::nullopt;
   }
   if (waiting_.giveVelocity(velocity, of_tcp)) return std::nullopt;
-  return of_tcp ? "the arm takes no velocity of the TCP: ContinueVLine() first"
-                : "the arm takes no velocities of the joints: ContinueVJog() first";
+  return of_tcp ? "the arm accepts no velocity of the TCP: call ContinueVLine() first"
+                : "the arm accepts no velocities of the joints: call ContinueVJog() first";
 }
 
 // Each velocity is a motion of its own, from the state that the arm has.

@@ -39,7 +39,7 @@ class NoRobot final : public tm_script::Environment {
   }
 
  private:
-  const std::string none_ = "a declaration has no attributes and no functions of a robot";
+  const std::string none_ = "a declaration cannot use attributes or functions of a robot";
 };
 
 /// Beside the flange, looking along its axis [mm, deg]. Ours: the camera of each robot is calibrated.
@@ -66,7 +66,7 @@ Result<std::string, std::string> declare(tm_script::Variables& variables, const 
   const auto& lines = script.statements;
   const auto* declared =
       lines.size() == 1 ? std::get_if<tm_script::Declaration>(&lines.front().content) : nullptr;
-  if (declared == nullptr) return refused("it is another statement, or several");
+  if (declared == nullptr) return refused("it is another kind of statement, or several statements");
   tm_script::Interpreter interpreter(lines, functions, scope, robot);
   interpreter.run(1);
   if (interpreter.fault()) return refused(interpreter.fault()->reason);

@@ -141,7 +141,7 @@ Result<const Row*, std::string> find(const std::string& object, const std::optio
 Result<AttributeShape, std::string> RobotAttributes::shapeOf(const std::string& object,
                                                              const std::vector<std::optional<Scalar>>& keys,
                                                              const std::string& attribute) const {
-  if (keys.size() > 1) return refuse(object + " has one name here: there are no vision bases");
+  if (keys.size() > 1) return refuse(object + " has one name here: vision bases are not simulated");
   const auto found = find(object, keys.front(), attribute);
   if (!found) return refuse(found.error());
   const Row& known = **found;

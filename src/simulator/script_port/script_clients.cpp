@@ -35,7 +35,7 @@ void ScriptClients::connect(ClientId client) {
   if (!faults_.impostor.take()) return;
   added.deaf = true;
   outbox_.send(Port::Script, client, greeting);
-  outbox_.log(fmt::format("fault: {} is greeted as by another device", client));
+  outbox_.log(fmt::format("fault: {} gets the greeting of another device", client));
 }
 
 void ScriptClients::disconnect(ClientId client) {

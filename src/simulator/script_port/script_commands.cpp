@@ -28,7 +28,7 @@ tm_script::CallAnswer full() {
   return tm_script::CallFailure{"the queue of motions is full"};
 }
 tm_script::CallAnswer outsidePvt(const std::string& what) {
-  return tm_script::CallFailure{what + " stands behind a PVTEnter"};
+  return tm_script::CallFailure{what + " is only allowed after PVTEnter"};
 }
 
 std::optional<Duration> limit(int milliseconds) {
@@ -129,7 +129,7 @@ tm_script::CallAnswer ScriptCommands::put(const Output& write) {
 
 std::optional<tm_script::CallFailure> ScriptCommands::withinPvt(const char* what) const {
   if (!queue_.pvt().isOpen()) return std::nullopt;
-  return tm_script::CallFailure{std::string(what) + " cannot stand between PVTEnter and PVTExit"};
+  return tm_script::CallFailure{std::string(what) + " is not allowed between PVTEnter and PVTExit"};
 }
 
 tm_script::CallAnswer ScriptCommands::execute(const script::PvtEnter& enter) {

@@ -48,7 +48,7 @@ std::optional<std::string> ScriptEnvironment::objectionTo(
       arguments.size() == 1 && arguments[0] ? std::get_if<std::string>(&*arguments[0]) : nullptr;
   if (name != nullptr && function == "ChangeBase") return unknownName(project_.bases, *name);
   if (name != nullptr && function == "ChangeTCP") return unknownName(project_.tools, *name);
-  if (!velocity_licence_ && script::needsLicence(function)) return function + " needs a licence";
+  if (!velocity_licence_ && script::needsLicence(function)) return function + " requires a licence";
   return script::objectionTo(function, arguments);
 }
 

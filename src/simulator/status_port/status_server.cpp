@@ -70,7 +70,8 @@ void StatusServer::connected(ClientId client, std::string_view address, Instant 
   if (clients_.empty()) next_tick_ = (now - start_) / period_ + 1;
   const bool may_write = !writers_ || writers_->count(address) > 0;
   clients_.emplace(client, Client{protocol::FrameDecoder(), may_write});
-  outbox_.log(fmt::format("status client {} connected{}", client, may_write ? "" : "; it may not write"));
+  outbox_.log(
+      fmt::format("status client {} connected{}", client, may_write ? "" : "; it is not allowed to write"));
 }
 
 void StatusServer::disconnected(ClientId client) {

@@ -204,7 +204,7 @@ Result<Value, Stop> Evaluator::of(const Call& call) {
     const std::size_t length = match->function->parameters[i].length;
     const auto* array = std::get_if<Array>(&*converted);
     if (length > 0 && array && array->items.size() != length) {
-      return fault(fmt::format("argument {} of {}: {} elements are wanted, not {}", i + 1, call.function,
+      return fault(fmt::format("argument {} of {}: {} elements are expected, not {}", i + 1, call.function,
                                length, array->items.size()));
     }
     (*arguments)[i] = std::move(*converted);

@@ -118,7 +118,7 @@ Result<Value, Stop> Evaluator::writeAttribute(const Target& target, const Value&
   if (!target.shape.is_writable) return value;
   const auto* array = std::get_if<Array>(&value);
   if (array && target.shape.length && array->items.size() != *target.shape.length) {
-    return fault(fmt::format("{} elements are wanted, not {}", *target.shape.length, array->items.size()));
+    return fault(fmt::format("{} elements are expected, not {}", *target.shape.length, array->items.size()));
   }
   if (known()) return value;
   if (auto reason = robot_.write(target.attribute, target.index, value)) return fault(std::move(*reason));

@@ -70,7 +70,7 @@ Result<AttributeShape, std::string> asShape(const Result<Type, std::string>& typ
 std::optional<std::string> wrongLength(const Expression& expression, std::size_t length) {
   const auto* array = std::get_if<ArrayLiteral>(&expression.node);
   if (length == 0 || !array || array->elements.size() == length) return std::nullopt;
-  return fmt::format("{} elements are wanted, not {}", length, array->elements.size());
+  return fmt::format("{} elements are expected, not {}", length, array->elements.size());
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ bool Typing::isBareWord(const Expression& expression) const {
 
 /// Once, however often a part of a line is looked at.
 void Typing::warnOfQuotes(const Expression& bare_word) {
-  std::string warning = fmt::format("{} is taken for a text without its quotes", toText(bare_word));
+  std::string warning = fmt::format("{} is interpreted as a text without quotes", toText(bare_word));
   if (warnings_.empty() || warnings_.back() != warning) warnings_.push_back(std::move(warning));
 }
 
@@ -136,7 +136,7 @@ Result<Type, std::string> Typing::of(const Literal& literal) {
   if (const auto* text = std::get_if<std::string>(&literal.value)) {
     (void)withQuotedNames(*text, [this](std::string_view name) -> std::optional<std::string> {
       if (!type_of_name_(std::string(name))) return std::nullopt;
-      warnings_.push_back(fmt::format("the variable '{}' stands inside a text", name));
+      warnings_.push_back(fmt::format("the variable '{}' is inside a text", name));
       return std::string();
     });
   }
@@ -161,7 +161,7 @@ Result<Type, std::string> Typing::commonOf(const Expressions& expressions) {
     }
     const auto number =
         type->is_array || common->is_array ? std::nullopt : commonType(common->scalar, type->scalar);
-    if (!number) return refuse(fmt::format("{} beside {}", toText(*type), toText(*common)));
+    if (!number) return refuse(fmt::format("{} and {} have no common type", toText(*type), toText(*common)));
     common = Type{*number};
   }
   return common.value_or(Type{ScalarType::Byte});

@@ -70,7 +70,7 @@ Computed sort(const Arguments& arguments) {
   Array array = arrayAt(arguments, 0);
   const bool descending = intAt(arguments, 1, 0) == 1;
   if (std::any_of(array.items.begin(), array.items.end(), [](const Scalar& item) { return item != item; })) {
-    return refuse(std::string("a NaN has no place in an order"));
+    return refuse(std::string("NaN cannot be sorted"));
   }
   std::stable_sort(array.items.begin(), array.items.end(),
                    [&](const Scalar& a, const Scalar& b) { return descending ? b < a : a < b; });

@@ -132,15 +132,15 @@ void describe(CLI::App& app, Arguments& arguments) {
       ->check(CLI::IsMember(arm::ArmModel::knownNames()));
   app.add_flag("--json", arguments.json, "Answer in JSON, in one line");
   app.footer(
-      "With - in place of the six numbers they are read from standard input, a line each, an answer a line.\n"
-      "Exit code: 0 success, 1 out of reach, 2 bad usage, 3 the answer could not be written.");
+      "With - in place of the six numbers, they are read from standard input: one set and one answer per "
+      "line.\nExit code: 0 success, 1 out of reach, 2 bad usage, 3 the answer could not be written.");
 
   auto* fk = app.add_subcommand("fk", "Pose of the flange [mm, deg] for the joints J1..J6 [deg]");
   auto* ik = app.add_subcommand("ik", "All postures [deg] for a flange pose X Y Z [mm] RX RY RZ [deg]");
   fk->add_option("numbers", arguments.numbers, "J1 J2 J3 J4 J5 J6, or -")->required()->expected(1, kAnyCount);
   ik->add_option("numbers", arguments.numbers, "X Y Z RX RY RZ, or -")->required()->expected(1, kAnyCount);
   auto* urdf = app.add_subcommand("urdf", "The URDF of the model");
-  urdf->add_option("--prefix", arguments.prefix, "Stands before the name of every link and joint");
+  urdf->add_option("--prefix", arguments.prefix, "Prefix of the name of every link and joint");
   for (auto* subcommand : {fk, ik}) subcommand->get_option("numbers")->type_name("FLOAT");
   for (auto* subcommand : {fk, ik, urdf}) subcommand->fallthrough();
   tools::askForSubcommand(app);

@@ -62,7 +62,7 @@ Answer askArtifact(const AskOptions& options) {
   const auto first_mechanism = users.begin() + static_cast<std::ptrdiff_t>(artifact->robots.size());
   const bool is_of_all = options.what == "robots" || options.what == "mechanisms" || options.what == "speed";
   if (is_of_all && !options.robot.empty()) {
-    return wrong("ask", fmt::format("\"{}\" is one word too many: {} is asked of the whole cell",
+    return wrong("ask", fmt::format("unexpected argument \"{}\": {} refers to the whole cell",
                                     foreignText(options.robot, kQuoteLimit), options.what));
   }
   if (options.what == "robots") {

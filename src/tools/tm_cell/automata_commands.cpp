@@ -50,8 +50,8 @@ AnswerStage synthesized(const automata::Problem& problem) {
   if (synthesis.empty()) {
     std::vector<std::string> names;
     for (const auto event : shortestWayIntoConflict(*space)) names.push_back(problem.events[event].name);
-    stage.faults.push_back(
-        fmt::format("there is no supervisor; the shortest way into a conflict: {}", fmt::join(names, " ")));
+    stage.faults.push_back(fmt::format("there is no supervisor; the shortest sequence into a conflict: {}",
+                                       fmt::join(names, " ")));
     return stage;
   }
   const auto& counts = synthesis.counts();
@@ -59,7 +59,7 @@ AnswerStage synthesized(const automata::Problem& problem) {
       canonicalFormOf(automatonOf(synthesis, problem), problem.events).fingerprint(problem.events);
   stage.faults = automata::verify(compile(synthesis, problem), fingerprint, {}, {kMaxStates}).faults;
   stage.report.push_back(fmt::format(
-      "{} states, {} transitions; keeps out of {} states; refuses {} by specs, {} beyond", counts.states,
+      "{} states, {} transitions; avoids {} states; refuses {} by specs, {} beyond", counts.states,
       counts.transitions, counts.frontier, counts.refused_by_spec, counts.refused_beyond_spec));
   stage.report.push_back("fingerprint " + fingerprint);
   stage.seconds = secondsSince(begin);

@@ -78,9 +78,9 @@ Answer verifyArtifact(const std::string& artifact_file, const std::string& cell_
   auto check = cell::checkArtifact(*artifact, threads);
   for (std::string& fault : check.faults) fault = foreignText(artifact_file) + ": " + fault;
   if (!check.faults.empty()) {
-    check.faults.push_back(foreignText(artifact_file) +
-                           " was changed, or made by another version or on another kind of machine. Build it "
-                           "anew");
+    check.faults.push_back(
+        foreignText(artifact_file) +
+        " was changed, or was made by another version or on another kind of machine. Rebuild it");
   }
   answer.stages.push_back({"verify", secondsSince(begin), std::move(check.report), std::move(check.faults)});
   return answer;

@@ -30,8 +30,9 @@ Answer coverMesh(const CoverOptions& options) {
       fmt::format("{} boxes of cells of {:g} mm cover the {} triangles of {}", boxes->size(), options.cell,
                   triangles->size(), foreignText(std::filesystem::path(options.mesh).filename().string()));
   if (boxes->size() > cell::kMostShapes) {
-    return wrong("cover", fmt::format("{}; a thing of a cell has at most {} shapes: choose a larger --cell",
-                                      found, cell::kMostShapes));
+    return wrong("cover",
+                 fmt::format("{}; a part or obstacle of a cell has at most {} shapes: choose a larger --cell",
+                             found, cell::kMostShapes));
   }
   const std::string text = "# " + found + "\n" + shapesText(*boxes);
   if (options.output.empty()) {

@@ -52,18 +52,18 @@ std::string reasonOf(const cell::Rules& rules, const automata::Tuple& state,
       const cell::ZoneIndex zone = *decision.automaton - model.robots();
       const auto holder = model.holder(zone, state[*decision.automaton]);
       return fmt::format("ZONE_HELD: {} is held by {}", model.program.zones[zone],
-                         holder ? model.program.robots[*holder].name : "nobody");
+                         holder ? model.program.robots[*holder].name : "no robot");
     }
     case Verdict::WouldBlock: {
       if (const auto intrusion = rules.intrusionIn(decision.next)) {
-        return fmt::format("WOULD_BLOCK: nobody could keep {} out of {}, which {} would hold",
+        return fmt::format("WOULD_BLOCK: {} could not be kept out of {}, which {} would hold",
                            model.program.robots[intrusion->mechanism].name,
                            model.program.zones[intrusion->zone],
                            model.program.robots[intrusion->holder].name);
       }
       std::vector<std::string> names;
       for (const auto robot : rules.stuckIn(decision.next)) names.push_back(model.program.robots[robot].name);
-      return fmt::format("WOULD_BLOCK: {} could not all come home from there", fmt::join(names, ", "));
+      return fmt::format("WOULD_BLOCK: {} could not all return home from there", fmt::join(names, ", "));
     }
     case Verdict::UnknownEvent:
     case Verdict::BreaksSpec:
@@ -78,8 +78,7 @@ void addRules(const cell::PartRules& part, cell::Policy policy, AnswerStage& sta
   if (policy != cell::Policy::Supervisor) {
     stage.report.push_back(
         fmt::format("{}: {} decides, which has no table of states and no rules. Build with --policy "
-                    "supervisor and larger "
-                    "max_states",
+                    "supervisor and a larger max_states",
                     robots, toString(policy)));
     return;
   }
@@ -88,10 +87,10 @@ void addRules(const cell::PartRules& part, cell::Policy policy, AnswerStage& sta
   if (part.rules.empty()) {
     stage.report.push_back(fmt::format("{}: zones alone are enough, nothing else is refused", robots));
   } else {
-    stage.report.push_back(fmt::format(
-        "{}: {} rules for {} states that it keeps out of; asked in each of {} states that are reached, they "
-        "refuse the same {} events and no other",
-        robots, part.rules.size(), part.frontier, part.states, part.refused));
+    stage.report.push_back(
+        fmt::format("{}: {} rules for {} states to avoid; checked in each of {} reachable states, they "
+                    "refuse the same {} events and no other",
+                    robots, part.rules.size(), part.frontier, part.states, part.refused));
   }
 }
 
@@ -154,14 +153,14 @@ Answer scheduleCell(const std::string& artifact_file, double seconds) {
       fmt::format("{:.3f} s for one cycle of all; one after the other {:.3f} s; no schedule is shorter than "
                   "{:.3f} s{}",
                   toSeconds(found->best->makespan), toSeconds(found->one_after_the_other),
-                  toSeconds(found->bound), found->isOptimal() ? ": it is the shortest" : ""));
+                  toSeconds(found->bound), found->isOptimal() ? ": this is the shortest" : ""));
   const auto orders = countZoneOrders(model->problem, *cycles);
   if (orders.circular) {
     stage.report.push_back(
         fmt::format("{} orders on the zones, {} of them circular", orders.orders, *orders.circular));
   }
   if (const auto period = leastPeriod(model->problem, *cycles)) {
-    stage.report.push_back(fmt::format("{:.3f} s from cycle to cycle at the least", toSeconds(*period)));
+    stage.report.push_back(fmt::format("at least {:.3f} s from cycle to cycle", toSeconds(*period)));
   }
   std::istringstream gantt(ganttOf(*found->best, model->problem));
   for (std::string line; std::getline(gantt, line);) stage.report.push_back(line);

@@ -75,13 +75,16 @@ struct Command {
 class Commands {
  public:
   explicit Commands(CLI::App& app) : app_(app) {
-    addCell("check", "Read the file of a cell, and say all that is wrong with it",
+    addCell("check", "Read a cell file and list all errors in it",
             [this] { return checkCell(given_.build.cell_file); });
-    addStage("sweep", "Plan all steps, and claim where the robots can be", BuildStage::Sweep);
-    addStage("zones", "Find the zones that robots share, and whether they are enough", BuildStage::Soundness);
-    addStage("instrument", "Make events and automata of the programs", BuildStage::Instrument);
-    addStage("synthesize", "Find the supervisor", BuildStage::Synthesize);
-    CLI::App* build = addStage("build", "All of that, verified, into one artifact", BuildStage::Verify);
+    addStage("sweep", "Plan all steps, and calculate the space that the robots can occupy",
+             BuildStage::Sweep);
+    addStage("zones", "Find the zones that robots share, and check that they are sufficient",
+             BuildStage::Soundness);
+    addStage("instrument", "Derive events and automata from the programs", BuildStage::Instrument);
+    addStage("synthesize", "Synthesize the supervisor", BuildStage::Synthesize);
+    CLI::App* build = addStage(
+        "build", "Run all these stages and write the verified result into one artifact", BuildStage::Verify);
     build->add_option("-o,--output", given_.build.output, "The artifact")
         ->type_name(kFile)
         ->required()
@@ -104,14 +107,14 @@ class Commands {
  private:
   CLI::App* add(const std::string& name, const std::string& description, std::function<Answer()> run) {
     CLI::App* command = app_.add_subcommand(name, description);
-    command->add_flag("--json", given_.json, "One line of JSON instead of text for people");
+    command->add_flag("--json", given_.json, "One line of JSON instead of text");
     commands_.push_back({command, std::move(run)});
     return command;
   }
 
   CLI::App* addCell(const std::string& name, const std::string& description, std::function<Answer()> run) {
     CLI::App* command = add(name, description, std::move(run));
-    command->add_option("CELL", given_.build.cell_file, "The file of a cell, as in config/cells")
+    command->add_option("CELL", given_.build.cell_file, "Cell file, as in config/cells")
         ->type_name(kFile)
         ->required();
     return command;
@@ -121,10 +124,11 @@ class Commands {
     CLI::App* command = addCell(name, description, [this, last] { return buildCell(given_.build, last); });
     command
         ->add_option("--policy", given_.policy,
-                     "What decides: supervisor, or safe_order, which needs no table of states")
+                     "Policy of the decisions: supervisor, or safe_order, which needs no table of states")
         ->check(CLI::IsMember({"supervisor", "safe_order"}));
     given_.build.threads = std::max(1U, std::thread::hardware_concurrency());
-    command->add_option("--threads", given_.build.threads, "Robots are swept side by side on so many")
+    command
+        ->add_option("--threads", given_.build.threads, "Number of threads for sweeping robots in parallel")
         ->transform(isWhole(1, 64));
     return command;
   }
@@ -132,69 +136,75 @@ class Commands {
   CLI::App* addArtifact(const std::string& name, const std::string& description,
                         std::function<Answer()> run) {
     CLI::App* command = add(name, description, std::move(run));
-    command->add_option("ARTIFACT", given_.artifact, "What build has written")->type_name(kFile)->required();
+    command->add_option("ARTIFACT", given_.artifact, "Artifact that build has written")
+        ->type_name(kFile)
+        ->required();
     return command;
   }
 
   void addArtifactCommands() {
-    addArtifact("verify", "Prove an artifact anew, from its bytes",
+    addArtifact("verify", "Verify an artifact again, from its bytes",
                 [this] {
                   return verifyArtifact(given_.artifact, given_.cell_file,
                                         std::max(1U, std::thread::hardware_concurrency()));
                 })
-        ->add_option("--cell", given_.cell_file, "The file that it has to be made of, byte by byte")
+        ->add_option("--cell", given_.cell_file,
+                     "Cell file that the artifact must be made from, byte by byte")
         ->type_name(kFile)
         ->check(isNamed());
-    CLI::App* explain = addArtifact("explain", "Whether an event is granted, and why not", [this] {
+    CLI::App* explain = addArtifact("explain", "Whether an event is granted; if not, why", [this] {
       return explainEvent(given_.artifact, given_.happened, given_.event);
     });
-    explain->add_option("EVENT", given_.event, "Its name, for example RA_b_Z1")->required();
-    explain->add_option("--behind", given_.happened, "What has happened since all were at home, with commas")
+    explain->add_option("EVENT", given_.event, "Name of the event, for example RA_b_Z1")->required();
+    explain
+        ->add_option("--behind", given_.happened, "Events since all robots were at home, separated by commas")
         ->delimiter(',');
-    addArtifact("rules", "What the supervisor keeps out of, as rules over few robots",
+    addArtifact("rules", "States that the supervisor avoids, as rules over few robots",
                 [this] { return tellRules(given_.artifact); });
     CLI::App* schedule = addArtifact("schedule", "The shortest cycle of all robots",
                                      [this] { return scheduleCell(given_.artifact, given_.seconds); });
-    schedule->add_option("--seconds", given_.seconds, "So long it is searched for")
+    schedule->add_option("--seconds", given_.seconds, "Time limit of the search")
         ->check(CLI::Range(0.001, 86400.0))
         ->check(isNumber());
     addSimulate();
     addAsk();
-    CLI::App* exported = addArtifact("export", "The automata, for other programs", [this] {
+    CLI::App* exported = addArtifact("export", "Export the automata for other programs", [this] {
       return exportAutomata(given_.artifact, given_.format, given_.output);
     });
     exported->add_option("FORMAT", given_.format, "wmod, cif, dot or json")
         ->required()
         ->check(CLI::IsMember({"wmod", "cif", "dot", "json"}));
-    exported->add_option("-o,--output", given_.output, "A file; without it standard output")
+    exported->add_option("-o,--output", given_.output, "Output file; default: standard output")
         ->type_name(kFile);
   }
 
   void addSimulate() {
     SimulateOptions& options = given_.simulate;
     CLI::App* simulate = addArtifact(
-        "simulate", "Run all robots, simulated controllers and the supervisor in invented time", [this] {
+        "simulate", "Run all robots, simulated controllers and the supervisor in simulated time", [this] {
           given_.simulate.artifact = given_.artifact;
           given_.simulate.policy = given_.policy;
           return simulateCell(given_.simulate);
         });
     simulate
-        ->add_option("--policy", given_.policy,
-                     "supervisor, safe_order, schedule; or, to see what goes wrong without: mutex, none")
+        ->add_option(
+            "--policy", given_.policy,
+            "supervisor, safe_order, schedule; or, to see the effect of missing supervision: mutex, none")
         ->check(CLI::IsMember({"supervisor", "safe_order", "schedule", "mutex", "none"}));
-    simulate->add_option("--cycles", options.cycles, "Of each robot")->transform(isWhole(1, 1000000));
-    simulate->add_option("--seed", options.seed, "The same gives the same run")
+    simulate->add_option("--cycles", options.cycles, "Cycles of each robot")->transform(isWhole(1, 1000000));
+    simulate->add_option("--seed", options.seed, "The same seed gives the same run")
         ->transform(isWhole(0, kMostSeed));
-    simulate->add_flag("--random", options.is_random, "Project speeds, pauses, and delays of messages");
-    simulate->add_option("--loss", options.loss, "So many of the messages are lost, in %")
+    simulate->add_flag("--random", options.is_random,
+                       "Random project speeds, pauses, and delays of messages");
+    simulate->add_option("--loss", options.loss, "Percentage of messages that are lost")
         ->check(CLI::Range(0.0, 90.0))
         ->check(isNumber());
-    simulate->add_flag("--quiet", options.is_quiet, "Only how it ended");
+    simulate->add_flag("--quiet", options.is_quiet, "Print only the result");
   }
 
   void addAsk() {
     CLI::App* ask =
-        addArtifact("ask", "One thing of an artifact, as launch files and scripts want it", [this] {
+        addArtifact("ask", "Print one value of an artifact, for launch files and scripts", [this] {
           given_.ask.artifact = given_.artifact;
           return askArtifact(given_.ask);
         });
@@ -203,18 +213,18 @@ class Commands {
                     "[deg; m or rad], places")
         ->required()
         ->check(CLI::IsMember({"robots", "mechanisms", "speed", "model", "urdf", "tcp", "home", "places"}));
-    ask->add_option("ROBOT", given_.ask.robot, "Its name, or that of a mechanism");
+    ask->add_option("ROBOT", given_.ask.robot, "Name of the robot or mechanism");
   }
 
   void addAutomataCommands() {
     add("import", "Synthesize and verify automata of another program",
         [this] { return importAutomata(given_.file); })
-        ->add_option("FILE", given_.file, "A module of Supremica (.wmod), or our own JSON")
+        ->add_option("FILE", given_.file, "A module of Supremica (.wmod), or JSON of this package")
         ->type_name(kFile)
         ->required();
-    add("oracle", "Compare with figures that independent programs have found",
+    add("oracle", "Compare with figures from independent programs",
         [this] { return compareOracles(given_.file); })
-        ->add_option("FILE", given_.file, "As test/data/cell-oracles.json")
+        ->add_option("FILE", given_.file, "A file such as test/data/cell-oracles.json")
         ->type_name(kFile)
         ->required();
   }
@@ -226,20 +236,21 @@ class Commands {
     cover->add_option("--cell", given_.cover.cell, "The boxes consist of cells with this edge [mm]")
         ->check(CLI::Range(1.0, 1000.0))
         ->check(isNumber());
-    cover->add_option("--scale", given_.cover.scale, "So many mm are one unit of the file: 1000 for metres")
+    cover->add_option("--scale", given_.cover.scale, "Millimetres per unit of the file: 1000 for metres")
         ->check(CLI::Range(1e-6, 1e6))
         ->check(isNumber());
-    cover->add_option("-o,--output", given_.cover.output, "A file; without it standard output")
+    cover->add_option("-o,--output", given_.cover.output, "Output file; default: standard output")
         ->type_name(kFile);
   }
 
   void addVoxels() {
-    CLI::App* voxels = addCell("voxels", "Zones and claims as files for viewers", [this] {
+    CLI::App* voxels = addCell("voxels", "Write zones and claims as files for viewers", [this] {
       given_.voxels.cell_file = given_.build.cell_file;
       given_.voxels.threads = std::max(1U, std::thread::hardware_concurrency());
       return writeVoxels(given_.voxels);
     });
-    voxels->add_option("-o,--output", given_.voxels.folder, "A folder; it is made where there is none")
+    voxels
+        ->add_option("-o,--output", given_.voxels.folder, "Output folder; it is created if it does not exist")
         ->type_name("FOLDER")
         ->required();
     voxels
@@ -254,7 +265,7 @@ class Commands {
 };
 
 int run(int argc, char** argv) {
-  CLI::App app("Cells of several robots: zones that are swept, supervisors that are proved");
+  CLI::App app("Cells of several robots: swept zones and verified supervisors");
   nameProgram(app, "tm_cell");
   app.footer("Exit status: 0 yes, 1 no, 2 bad usage, 3 the answer could not be written.");
   Commands commands(app);

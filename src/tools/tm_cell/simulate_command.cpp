@@ -22,11 +22,11 @@ void addResult(const trial::TrialResult& result, const cell::Artifact& artifact,
     stage.report.push_back(fmt::format("{}: {} cycles, waited {:.2f} s", artifact.program.robots[robot].name,
                                        result.cycles[robot], toSeconds(result.waited[robot])));
   }
-  stage.report.push_back(fmt::format("{:.2f} s in all; {} and {} were closest to each other: {:.1f} mm",
+  stage.report.push_back(fmt::format("{:.2f} s in all; {} and {} came closest to each other: {:.1f} mm",
                                      toSeconds(result.makespan), result.least.robot, result.least.other,
                                      1000.0 * result.least.distance));
   stage.faults = result.faults;
-  if (result.is_dead) stage.faults.emplace_back("DEADLOCK: the robots wait, and nothing happens any more");
+  if (result.is_dead) stage.faults.emplace_back("DEADLOCK: the robots wait, and no event can happen");
   if (result.least.distance < artifact.parameters.margin) {
     stage.faults.push_back(fmt::format("{}: {} and {} came as close as {:.1f} mm; the margin is {:.1f} mm",
                                        result.least.distance <= 0.0 ? "COLLISION" : "TOO CLOSE",

@@ -77,7 +77,7 @@ Answer writeVoxels(const VoxelsOptions& options) {
   std::error_code error;
   std::filesystem::create_directories(options.folder, error);
   if (error) {
-    return wrong("voxels", fmt::format("the folder {} cannot be made: {}. Name another one",
+    return wrong("voxels", fmt::format("the folder {} cannot be created: {}. Name another one",
                                        foreignText(options.folder), error.message()));
   }
   for (const NamedVoxels& named : voxelsOf(build)) {

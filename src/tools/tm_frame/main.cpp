@@ -140,7 +140,7 @@ int decodeBytes(FrameDecoder decoder) {
     decoder.feed(std::string_view(block, static_cast<std::size_t>(size)));
     faulty = printEvents(decoder) || faulty;
   }
-  if (size < 0) return cannotRead("what is read ends in an error: " + std::generic_category().message(errno));
+  if (size < 0) return cannotRead("reading the input failed: " + std::generic_category().message(errno));
   decoder.finish();
   faulty = printEvents(decoder) || faulty;
   return faulty ? kFaultFound : kSuccess;
@@ -163,7 +163,7 @@ int decodeHexLines(FrameDecoder decoder, const Print& print) {
     decoder.finish();
     faulty = print(decoder, bytes) || faulty;
   }
-  if (std::cin.bad() || std::ferror(stdin) != 0) return cannotRead("what is read ends in an error");
+  if (std::cin.bad() || std::ferror(stdin) != 0) return cannotRead("reading the input failed");
   return faulty ? kFaultFound : kSuccess;
 }
 
@@ -244,17 +244,16 @@ CLI::App* addEncode(CLI::App& app, Given& given) {
 void addDecode(CLI::App& app, Given& given) {
   CLI::App* decode = app.add_subcommand(
       "decode", "Read bytes from a file or standard input, write one line of JSON for each frame or fault");
-  decode->add_option("FILE", given.file, "What is read; without it, or with -, standard input")
-      ->type_name("");
-  CLI::Option* const hex_lines =
-      decode->add_flag("--hex", given.hex, "It is lines of hexadecimal digits, each decoded on its own");
+  decode->add_option("FILE", given.file, "Input file; default, or with -: standard input")->type_name("");
+  CLI::Option* const hex_lines = decode->add_flag(
+      "--hex", given.hex, "The input is lines of hexadecimal digits, each decoded on its own");
   decode->add_flag("--accept-empty-length", given.options.accept_empty_length,
-                   "Take an empty LENGTH and search for the end of the frame, as some bridges need it");
+                   "Accept an empty LENGTH and search for the end of the frame, as some bridges require");
   decode
       ->add_option("--trace-of", given.sender,
-                   "Each line is one frame or fault of the flight recorder, sent by this one (client, "
-                   "controller: script port; status: status port): one line of JSON for it, with its text "
-                   "and meaning as the topics frames and status_frames have them")
+                   "Each line is one frame or fault of the flight recorder from this sender (client, "
+                   "controller: script port; status: status port). Writes one line of JSON for each, with "
+                   "the text and meaning that the topics frames and status_frames have")
       ->needs(hex_lines)
       ->check(CLI::IsMember(kSenders));
 }

@@ -14,7 +14,7 @@ void LinePrinter::print(const std::string& line) {
   lost_ = !written || std::fflush(stdout) != 0;
   if (!lost_) return;
   std::fprintf(stderr,
-               "%s: standard output cannot be written (%s): what it would print is lost, it serves on\n",
+               "%s: standard output cannot be written (%s): its output is lost, the program continues\n",
                program_.c_str(), std::strerror(errno));
 }
 

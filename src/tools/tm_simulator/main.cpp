@@ -42,14 +42,15 @@ struct Options {
 void describe(CLI::App& app, const SettingTable& table, Options& options) {
   tools::nameProgram(app, "tm_simulator");
   app.description(
-      "A simulated TM controller: any client of the TM protocol can use it in place of a robot.\n"
-      "Prints `listening script=PORT status=PORT` once it serves; Ctrl-C ends it.");
+      "A simulated TM controller: any client of the TM protocol can use it in place of a robot.\nPrints "
+      "`listening script=PORT status=PORT` when it is ready; Ctrl-C ends it.");
   app.footer(
-      "Commands that --control takes, one a line, each answered with a line `ok: ...` or `error: ...`:\n" +
+      "Commands that --control takes, one per line; each is answered with a line `ok: ...` or `error: "
+      "...`:\n" +
       simulator::controlHelp());
   tools::addOptions(app, table);
   app.add_flag("--verbose", options.setup.log_traffic, "the same as --log-traffic");
-  app.add_flag("--control", options.control, "take the operator's commands from standard input, see below");
+  app.add_flag("--control", options.control, "read the operator's commands from standard input, see below");
 }
 
 void obey(runtime::SimulatorRuntime& simulator, tools::LinePrinter& printer, std::string line) {

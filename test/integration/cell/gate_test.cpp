@@ -61,22 +61,22 @@ TEST(TheGate, refusesAFrameThatLeavesTheNodeBehindIt) {
 
 TEST(TheGate, refusesAFrameWithAnotherTcpOrBase) {
   expectRefusalOf([](Departure& departure) { departure.tcp.translation().z() += 0.0002; },
-                  own_error::kSettingDiffers, "the TCP is another one");
+                  own_error::kSettingDiffers, "the TCP differs from the one in the cell");
   expectRefusalOf(
       [](Departure& departure) {
         departure.tcp.rotate(Eigen::AngleAxisd(degToRad(0.02), Eigen::Vector3d::UnitX()));
       },
-      own_error::kSettingDiffers, "the TCP is another one");
+      own_error::kSettingDiffers, "the TCP differs from the one in the cell");
   expectRefusalOf(
       [](Departure& departure) { departure.base = arm::Pose(Eigen::Translation3d(0.0, 0.0002, 0.0)); },
-      own_error::kSettingDiffers, "the base is another one");
+      own_error::kSettingDiffers, "the base differs from the one in the cell");
 }
 
 TEST(TheGate, refusesAFrameThatWouldStartOneDegreeOff) {
   expectRefusalOf([](Departure& departure) { (*departure.start)[3] += degToRad(1.0); },
                   own_error::kNotAtStepStart, "joint 4 would start 1.00 deg off; allowed: 0.10 deg");
   expectRefusalOf([](Departure& departure) { departure.planned = false; }, own_error::kNotAtStepStart,
-                  "is not known");
+                  "is unknown");
 }
 
 TEST(TheGate, refusesARobotThatStandsBesideItsStation) {
@@ -94,7 +94,7 @@ TEST(TheGate, refusesAProjectThatIsFasterThanWhatWasProved) {
   rig.robot(0).operate(simulator::SetProjectSpeed{55});
   rig.pass(1s);
   expectRefusal(rig, own_error::kSettingDiffers,
-                "the project speed is 55 %, and the cell was proved for 50 %");
+                "the project speed is 55 %, but the cell was verified for at most 50 %");
 }
 
 TEST(ARobotInManualMode, sendsNothing) {
@@ -112,7 +112,7 @@ TEST(TheGate, refusesOnAStateThatIsOlderThanTheLease) {
   ASSERT_TRUE(rig.trial->start());
   rig.trial->killSupervisor();
   rig.pass(600ms);
-  expectRefusal(rig, own_error::kSupervisorSilent, "the supervisor is silent for 0.6 s");
+  expectRefusal(rig, own_error::kSupervisorSilent, "no message of the supervisor for 0.6 s");
 }
 
 TEST(TheGate, refusesWhatIsNoProgram) {

@@ -69,7 +69,7 @@ TEST(ARobotThatIsKilledInTwoZones, keepsTheOthersBeforeThemUntilTheyAreConfirmed
   }
   const auto refused = rig.supervision().confirmClear("R2", "me", false, rig.trial->now());
   EXPECT_FALSE(refused.success);
-  EXPECT_THAT(refused.message, HasSubstr("R2 was measured in Z"));
+  EXPECT_THAT(refused.message, HasSubstr("R2 was in Z"));
 
   rig.looks_at_zones = false;
   rig.commandByOther(1, {kOut, kHome});
@@ -94,7 +94,7 @@ TEST(ARobotWhoseNodeIsStartedAnewInAZone, keepsItUntilAPersonHasRecoveredIt) {
   rig.robot(0).restart(77);
   rig.pass(10s);
   EXPECT_EQ(rig.of(0).state, RobotState::Lost);
-  EXPECT_THAT(rig.of(0).text, HasSubstr("started anew"));
+  EXPECT_THAT(rig.of(0).text, HasSubstr("its node was restarted"));
   EXPECT_EQ(rig.zone(0).owner, "RA");
   EXPECT_EQ(rig.zone(0).state, ZoneState::Quarantined);
   EXPECT_FALSE(rig.isIn(1, 0));
@@ -102,7 +102,7 @@ TEST(ARobotWhoseNodeIsStartedAnewInAZone, keepsItUntilAPersonHasRecoveredIt) {
   const auto strange = rig.supervision().counts().wrong_sessions;
   rig.supervision().take(late, rig.trial->now());
   EXPECT_EQ(rig.supervision().counts().wrong_sessions, strange + 1);
-  EXPECT_THAT(rig.of(0).text, HasSubstr("started anew"));
+  EXPECT_THAT(rig.of(0).text, HasSubstr("its node was restarted"));
 
   // Until then it goes nowhere.
   rig.order(0, 1);

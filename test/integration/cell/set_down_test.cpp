@@ -56,7 +56,8 @@ TEST(ARobotThatIsNeverMeasuredBehindItsZone, endsItsGoalWithTheReason) {
   rig.begin(1);
   ASSERT_TRUE(rig.passUntil([&] { return rig.robot(0).hasEnded(); }));
   EXPECT_EQ(rig.errorOf(0), blocks::own_error::kPermitLate);
-  EXPECT_THAT(rig.robot(0).lastOutcome()->error_description, ::testing::HasSubstr("not measured where"));
+  EXPECT_THAT(rig.robot(0).lastOutcome()->error_description,
+              ::testing::HasSubstr("do not allow it to continue there"));
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ TEST_F(SoftwareLimitsOfTheArm, areRefusedWhenTheyCannotBe) {
     const auto answer = cell.writeLimits(ofJoint1(lower, upper));
     EXPECT_FALSE(answer.success);
     EXPECT_EQ(answer.error_id, 0x8D15);
-    EXPECT_THAT(answer.message, HasSubstr("J1 is to stay between"));
+    EXPECT_THAT(answer.message, HasSubstr("the limits of J1 are"));
   }
   EXPECT_EQ(errorOf(turnTo(61)), own_error::kJointLimit) << "the ones before rule on";
 }

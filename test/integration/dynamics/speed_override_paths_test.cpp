@@ -76,7 +76,7 @@ TEST_F(SpeedOverridesOfPaths, doNotLetAPathGoThatIsStopped) {
   cell.pass(300ms);
   const auto answer = cell.setSpeedOverride(100);
   ASSERT_TRUE(answer);
-  EXPECT_THAT(answer->message, HasSubstr("path that is stopped"));
+  EXPECT_THAT(answer->message, HasSubstr("a stopped path"));
   cell.pass(10s);
   EXPECT_EQ(cell.outcome(path), nullptr);
   cell.setFeedrate(100);

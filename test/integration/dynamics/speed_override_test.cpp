@@ -57,7 +57,7 @@ TEST_F(SpeedOverrides, leaveWhatIsUnderWayAsItIs) {
   cell.pass(300ms);
   const auto answer = cell.setSpeedOverride(50);
   EXPECT_EQ(answer->effective, 100) << "of what moves the robot";
-  EXPECT_THAT(answer->message, HasSubstr("goes on as it was sent"));
+  EXPECT_THAT(answer->message, HasSubstr("motions at the controller keep their speed"));
   EXPECT_EQ(cell.group().effective_speed, 100);
   const GoalId second = cell.submit(turnTo(0));
   EXPECT_NEAR(planned(first), 1.2, 1e-3);

@@ -33,9 +33,8 @@ TEST(SparseStream, isNamedWithAllThatCannotBeDone) {
     EXPECT_THAT(cell.status().status_diagnosis, HasSubstr(missing));
   }
   EXPECT_EQ(cell.status().status_diagnosis.find("Project_Run ("), std::string::npos) << "it has that";
-  EXPECT_THAT(cell.status().diagnosis,
-              HasSubstr("does not have Safeguard_A, ESTOP, Joint_Angle, so motions are done by their queue "
-                        "tags alone"));
+  EXPECT_THAT(cell.status().diagnosis, HasSubstr("does not have Safeguard_A, ESTOP, Joint_Angle, so only "
+                                                 "their queue tags report that motions are done"));
   ASSERT_EQ(cell.messages().size(), 1U) << "once";
   EXPECT_EQ(cell.messages()[0].severity, command::Severity::Warning);
   EXPECT_EQ(cell.messages()[0].origin, "status_stream");
@@ -52,7 +51,7 @@ TEST(SparseStream, isSaidByTheResultOfAMoveThatNobodyHasSeen) {
   EXPECT_THAT(outcome.error_description,
               HasSubstr("sent unplanned and unchecked: the status stream does not have Joint_Angle"));
   EXPECT_THAT(outcome.error_description,
-              HasSubstr("nobody has seen where it ended: its queue tag alone says that it is done"));
+              HasSubstr("its end position was not confirmed: only its queue tag reports that it is done"));
 }
 
 TEST(SparseStream, isSaidByTheResultOfAMoveThatWasOnlySeenToStand) {
@@ -60,8 +59,9 @@ TEST(SparseStream, isSaidByTheResultOfAMoveThatWasOnlySeenToStand) {
   cell.connect();
   const blocks::Outcome& outcome = endOf(cell, turnTo(20));
   EXPECT_EQ(outcome.ending, blocks::Ending::Done);
-  EXPECT_THAT(outcome.error_description, HasSubstr("it was seen to stand, but not where"));
-  EXPECT_THAT(cell.status().diagnosis, HasSubstr("so nobody sees where motions end"));
+  EXPECT_THAT(outcome.error_description,
+              HasSubstr("the robot is at standstill, but its position is not known"));
+  EXPECT_THAT(cell.status().diagnosis, HasSubstr("so the end positions of motions are not confirmed"));
 }
 
 TEST(SparseStream, isSaidByTheCycleOfAMoveThatNobodyHasSeen) {
@@ -107,7 +107,7 @@ TEST(SparseStream, isNoneAtAllWhereNobodyAsksForOne) {
   cell.connect();
   EXPECT_THAT(cell.status().diagnosis, HasSubstr("no status stream shows the robot"));
   EXPECT_THAT(endOf(cell, turnTo(20)).error_description,
-              HasSubstr("sent unplanned and unchecked: no status stream tells where the robot is"));
+              HasSubstr("sent unplanned and unchecked: no status stream shows where the robot is"));
 }
 
 }  // namespace

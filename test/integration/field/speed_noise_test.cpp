@@ -40,7 +40,7 @@ TEST(SpeedNoise, ofARobotThatMovesIsSaidByWhatGoesUnplanned) {
   other.script = "PTP(\"JPP\",30,0,90,0,90,0,10 + IO[\"ControlBox\"].DI[0],200,0,false)";
   const blocks::Outcome& before = endOf(cell, other);
   EXPECT_EQ(before.ending, blocks::Ending::Done) << before.error_description;
-  EXPECT_THAT(before.error_description, HasSubstr("its lines say more than the command layer can read"));
+  EXPECT_THAT(before.error_description, HasSubstr("the command layer cannot interpret its lines"));
   cell.pass(500ms);
   blocks::MoveRelativeGoal up;
   up.movement_command = static_cast<int>(blocks::Movement::Line);
@@ -51,7 +51,7 @@ TEST(SpeedNoise, ofARobotThatMovesIsSaidByWhatGoesUnplanned) {
   EXPECT_EQ(outcome.ending, blocks::Ending::Done) << outcome.error_description;
   EXPECT_FALSE(outcome.planned);
   EXPECT_THAT(outcome.error_description,
-              HasSubstr("sent unplanned and unchecked: the robot moves, and nobody knows to where"));
+              HasSubstr("sent unplanned and unchecked: the robot moves, and its destination is unknown"));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ link::LinkSettings soonLost() {
   return settings;
 }
 
-/// In real time, as keep-alives are.
+/// In real time, as heartbeats are.
 class SilentLink : public ::testing::Test {
  protected:
   void connect() {

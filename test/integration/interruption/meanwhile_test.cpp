@@ -105,8 +105,8 @@ TEST_F(WhileMotionsAreInterrupted, aStopTakesThemAndWhatMovesMeanwhile) {
 
 TEST_F(WhileMotionsAreInterrupted, theOneThatWasUnderWayTakesOthersWithItWhenItIsCancelled) {
   rig.cancel(first);
-  expectAborted(first, "cancelled while it was interrupted");
-  expectAborted(second, "in front of it");
+  expectAborted(first, "cancelled while it was suspended");
+  expectAborted(second, "before it");
   expectDenied(0x233, "nothing");
 }
 

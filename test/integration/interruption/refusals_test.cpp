@@ -27,7 +27,7 @@ class AnInterruption : public ::testing::Test {
 };
 
 TEST_F(AnInterruption, needsSomethingToInterrupt) {
-  expectRefused(0x233, "nothing is under way");
+  expectRefused(0x233, "no goal is running or queued");
   EXPECT_EQ(rig.goOn().error_id, 0x233);
 }
 

@@ -71,7 +71,7 @@ TEST_P(JogEnds, withALostLinkAndSayThatNobodyCanStopIt) {
   EXPECT_EQ(outcome.ending, Ending::Aborted);
   EXPECT_EQ(outcome.error_id, motion_error::kLinkDropped);
   EXPECT_THAT(outcome.error_description,
-              HasSubstr(GetParam() ? "keeps its velocity" : "ends by itself within 0.2 s"));
+              HasSubstr(GetParam() ? "keeps its velocity" : "at the controller ends within 0.2 s"));
   cell.cell.pass(200ms);
   EXPECT_EQ(cell.stands(), !GetParam());
 }
@@ -89,7 +89,7 @@ TEST_P(JogEnds, withAPauseAndNotGoOnBehindIt) {
   cell.cell.operate(simulator::PauseProject{});
   const Outcome& outcome = endWhileHeld(id);
   EXPECT_EQ(outcome.ending, Ending::CommandAborted);
-  EXPECT_THAT(outcome.error_description, HasSubstr("held"));
+  EXPECT_THAT(outcome.error_description, HasSubstr("paused"));
   cell.cell.operate(simulator::ResumeProject{});
   cell.hold(1s);
   EXPECT_TRUE(cell.stands());

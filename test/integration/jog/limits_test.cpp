@@ -29,7 +29,7 @@ TEST_P(JogLimits, letAJointStandBeforeItsEnd) {
   const JogReport report = reportOf(cell.holdUntilItEnds(jog(JogMode::Axes, which, direction, 20)));
   EXPECT_EQ(report.ended_by, JogEnd::JointLimit) << report.why;
   EXPECT_EQ(report.joint, joint);
-  EXPECT_THAT(report.why, HasSubstr("the other way"));
+  EXPECT_THAT(report.why, HasSubstr("in the other direction"));
   const arm::JointLimit& limit = model().limits()[which];
   const double at = cell.jointDeg(joint);
   const double end = radToDeg(direction > 0 ? limit.upper : limit.lower);

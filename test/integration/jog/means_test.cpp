@@ -54,7 +54,7 @@ TEST(JogMeansTest, areVelocitiesForJointsOrForTheTcpAsEachWasAskedFor) {
   EXPECT_THAT(cell.cell.scripts(), Contains(HasSubstr("ContinueVJog()")));
   const auto& told = cell.cell.progress(of_joints);
   EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const Progress& progress) {
-    return progress.text.find("nobody stops the joints") != std::string::npos;
+    return progress.text.find("the joints are not stopped") != std::string::npos;
   }));
 }
 
@@ -91,7 +91,7 @@ TEST(JogMeansTest, areMovesForALinkThatHasRefusedVelocities) {
   EXPECT_GT(cell.jointDeg(0), 8);
   const auto& told = cell.cell.progress(first);
   EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const Progress& progress) {
-    return progress.text.find("takes no velocities") != std::string::npos;
+    return progress.text.find("accepts no velocities") != std::string::npos;
   }));
   const auto tried = cell.cell.scripts().size();
   cell.cell.submit(jog(JogMode::Axes, 0, -1, 10));

@@ -66,7 +66,7 @@ TEST_F(LoadPathFeedrate, isRefusedOutsideItsRangeAndStaysAsItWas) {
     const auto answer = cell.setFeedrate(percent);
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->error_id, own_error::kFeedrateRange);
-    EXPECT_THAT(answer->message, HasSubstr("allowed: 0 to 125, and 0.0001 at least"));
+    EXPECT_THAT(answer->message, HasSubstr("allowed: 0 to 125, and at least 0.0001"));
   }
   EXPECT_EQ(cell.controls(), path::PathControls());
 }
@@ -75,7 +75,7 @@ TEST_F(LoadPathFeedrate, isNamedWhereAPathTakesTooLongWithIt) {
   EXPECT_TRUE(cell.setFeedrate(0.0001)->success);
   const Outcome& outcome = cell.endOf(cell.submit(quarterTurn()));
   EXPECT_EQ(outcome.error_id, own_error::kNotPlannable);
-  EXPECT_THAT(outcome.error_description, HasSubstr("at the feedrate of 0.0001 %"));
+  EXPECT_THAT(outcome.error_description, HasSubstr("applies to the feedrate of 0.0001 %"));
 }
 
 /// Oracle 20.
@@ -151,7 +151,7 @@ TEST_F(LoadPathFeedrate, isRefusedWhereAJointWouldBeTooFast) {
   passUntilActive(id, 1);
   const auto answer = cell.setFeedrate(125);
   EXPECT_EQ(answer->error_id, own_error::kJointSpeed);
-  EXPECT_THAT(answer->message, HasSubstr("highest that fits: 105.9 %"));
+  EXPECT_THAT(answer->message, HasSubstr("highest possible feedrate: 105.9 %"));
   EXPECT_EQ(cell.controls().feedrate, 1.0);
   expectDone(id);
 }
@@ -280,7 +280,8 @@ TEST_F(LoadPathFeedrate, ofNoughtIsOverWhenSomebodyLetsTheProjectGo) {
   cell.operate(simulator::ResumeProject{});
   expectDone(id);
   EXPECT_FALSE(cell.controls().stopped);
-  EXPECT_THAT(cell.warnings(), ::testing::Contains(HasSubstr("somebody let it go")));
+  EXPECT_THAT(cell.warnings(),
+              ::testing::Contains(HasSubstr("another client or the pendant has resumed it")));
 }
 
 TEST_F(LoadPathFeedrate, ofNoughtLetsTheGoalBeCancelled) {

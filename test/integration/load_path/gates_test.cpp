@@ -98,7 +98,7 @@ TEST_F(LoadPathGates, holdBackOnlyWhatIsBehindThem) {
   EXPECT_EQ(phaseOf(third), Phase::Queued);
   EXPECT_EQ(placesOf(third).back().pending_path_points, 3);
   EXPECT_EQ(cell.progress(third).back().text,
-            "behind load_path 2, which waits for tracking object 0 to be on");
+            "after load_path 2, which waits for tracking object 0 to be on");
   EXPECT_FALSE(cell.switchTracking({0, true, false}));
   expectDone(second);
   expectDone(third);

@@ -56,11 +56,11 @@ class Arguments(unittest.TestCase):
 
     def test_that_rename_what_has_no_name_or_to_what_is_none_are_refused(self):
         for word in ("stop/goal:=a b", "a b:=stop/goal", "stop/goal:=", ":=stop/goal", "stop/goal:=/", "9:=x", "x:=~", "x:=é", "x:=a~b"):
-            self.assert_refused("'.*' in '.*' is no name of a topic, service or action; allowed: letters, digits", word)
+            self.assert_refused("'.*' in '.*' is not a valid name of a topic, service or action; allowed: letters, digits", word)
 
     def test_that_are_no_parameter_are_refused(self):
         for word in ("_:=1", "_a b:=1", "_a-b:=1", "_~a:=1"):
-            self.assert_refused("'.*' is no name of a parameter; allowed: letters, digits", word)
+            self.assert_refused("'.*' is not a valid name of a parameter; allowed: letters, digits", word)
 
     def test_that_are_no_master_are_refused(self):
         for master in ("localhost", "http://localhost", "http://:11311", "http://localhost:0", "http://localhost:x", "http://localhost:70000", "11311"):

@@ -152,7 +152,7 @@ TEST(DataInSync, isMissedByPlansThatSayWithWhichValueTheyAreMade) {
   path.check_only = true;
   EXPECT_EQ(rig.endOf(rig.submit(path)).error_id, 0);
   ASSERT_FALSE(rig.warnings().empty());
-  EXPECT_THAT(rig.warnings().back(), HasSubstr("planned with the values here: tool 3"));
+  EXPECT_THAT(rig.warnings().back(), HasSubstr("planned with the values of this node: tool 3"));
 }
 
 TEST(DataInSync, lendsPlansTheValuesThatOnlyTheProjectKnows) {

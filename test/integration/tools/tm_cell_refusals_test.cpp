@@ -58,9 +58,9 @@ TEST_F(TmCellRefuses, aMarginSoLargeThatHomeIsInsideAZone) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.output, HasSubstr("RA is in Z1 at its home HOME, which RA and RB share"));
   EXPECT_THAT(outcome.output, HasSubstr("choose another home"));
-  EXPECT_THAT(outcome.output,
-              ContainsRegex("RB on T1, step 1, comes as near as [0-9.]+ mm to it: [0-9.]+ mm more "
-                            "between them are enough"));
+  EXPECT_THAT(
+      outcome.output,
+      ContainsRegex("RB on T1, step 1, comes within [0-9.]+ mm of it: [0-9.]+ mm more distance is enough"));
   EXPECT_FALSE(isBuilt());
   EXPECT_EQ(buildOf("handover", {}).exit_code, 0) << "it is the margin";
 }
@@ -69,7 +69,7 @@ TEST_F(TmCellRefuses, aBaseInsideTheClaimOfAnother) {
   const Outcome outcome = buildOf("handover", {{"base: [720, -122.3", "base: [-100, 122.3"}});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.output, HasSubstr("RB never leaves Z"));
-  EXPECT_THAT(outcome.output, ContainsRegex("at its home RA .*comes as near as -?[0-9.]+ mm to it"));
+  EXPECT_THAT(outcome.output, ContainsRegex("at its home RA .*comes within -?[0-9.]+ mm of it"));
   EXPECT_FALSE(isBuilt());
 }
 
@@ -90,7 +90,7 @@ TEST_F(TmCellRefuses, claimsThatWouldTakeTooMuchMemoryBeforeTheyAreMade) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.output, ContainsRegex("parameters make claims of [0-9]+ MiB: [0-9]+ pieces with "
                                             "step_bound 1 mm, in voxels of 5 mm; allowed: 1024 MiB"));
-  EXPECT_THAT(outcome.output, ContainsRegex("step_bound [0-9]+ mm or voxel [0-9]+ mm would do"));
+  EXPECT_THAT(outcome.output, ContainsRegex("step_bound [0-9]+ mm or voxel [0-9]+ mm is sufficient"));
   EXPECT_FALSE(isBuilt());
 }
 
@@ -110,7 +110,7 @@ TEST_F(TmCellRefuses, oneZoneMoreThanAllowedAndNotThatMany) {
   };
   const Outcome one = buildOf("corridor", most(3));
   EXPECT_EQ(one.exit_code, 1);
-  EXPECT_THAT(one.output, HasSubstr("there are 4 zones, and at most max_zones = 3 are allowed"));
+  EXPECT_THAT(one.output, HasSubstr("there are 4 zones, but at most max_zones = 3 are allowed"));
   EXPECT_FALSE(isBuilt());
   EXPECT_EQ(buildOf("corridor", most(4)).exit_code, 0);
 }
@@ -133,8 +133,8 @@ TEST_F(TmCellRefuses, noRobotsForTheirStatesAsSafeOrdersDecide) {
   const Outcome outcome = buildOf("handover", most("2"));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_THAT(outcome.output,
-              HasSubstr("RA, RB: safe_order decides without a table, and refuses a little more "
-                        "than a supervisor would: that has more than max_states = 2 states"));
+              HasSubstr("RA, RB: safe_order decides without a table, and refuses slightly more than a "
+                        "supervisor: a supervisor has more than max_states = 2 states"));
   EXPECT_EQ(tmCell("verify " + artifact()).exit_code, 0);
   // Compressed, it has three.
   const Outcome compressed = buildOf("handover", most("3"));

@@ -26,7 +26,7 @@ TEST_F(TmCell, buildsTheCellsOfTheDemosAndVerifiesThem) {
 TEST_F(TmCell, refusesAnArtifactOfAnotherCell) {
   const Outcome verified = tmCell("verify " + built("handover") + " --cell " + cellFile("head_on"));
   EXPECT_EQ(verified.exit_code, 1);
-  EXPECT_THAT(verified.output, HasSubstr("is not made of"));
+  EXPECT_THAT(verified.output, HasSubstr("was not made from"));
 }
 
 /// With a checksum that is right: it says nothing of who made it.
@@ -42,7 +42,7 @@ TEST_F(TmCell, refusesAnArtifactThatWasChanged) {
   const Outcome verified = tmCell("verify " + artifact);
   EXPECT_EQ(verified.exit_code, 1);
   EXPECT_THAT(verified.output, HasSubstr("/lines/0 is"));
-  EXPECT_THAT(verified.output, HasSubstr("Build it anew"));
+  EXPECT_THAT(verified.output, HasSubstr("Rebuild it"));
 }
 
 TEST_F(TmCell, writesOverNoDeviceAndNotOverWhatItReads) {
@@ -50,11 +50,11 @@ TEST_F(TmCell, writesOverNoDeviceAndNotOverWhatItReads) {
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const Outcome to_pipe = tmCell("build " + cellFile("handover") + " -o " + pipe);
   EXPECT_EQ(to_pipe.exit_code, 1);
-  EXPECT_THAT(to_pipe.output, HasSubstr("it is no file"));
+  EXPECT_THAT(to_pipe.output, HasSubstr("it is not a file"));
   std::ofstream(in("own.yaml")) << textIn(cellFile("handover"));
   const Outcome to_itself = tmCell("build " + in("own.yaml") + " -o " + in("own.yaml"));
   EXPECT_EQ(to_itself.exit_code, 1);
-  EXPECT_THAT(to_itself.output, HasSubstr("it is what it is made of"));
+  EXPECT_THAT(to_itself.output, HasSubstr("it is the input file"));
   EXPECT_EQ(textIn(in("own.yaml")), textIn(cellFile("handover")));
 }
 
@@ -92,7 +92,7 @@ TEST_F(TmCell, explainsWhyAnEventIsNotGranted) {
   EXPECT_THAT(held.output, HasSubstr("ZONE_HELD: Z2 is held by RA"));
   const Outcome blocks = tmCell("explain " + artifact + " RB_b_Z2 --behind RA_g_W,RA_b_Z1,RB_g_W");
   EXPECT_EQ(blocks.exit_code, 1);
-  EXPECT_THAT(blocks.output, HasSubstr("WOULD_BLOCK: RA, RB could not all come home"));
+  EXPECT_THAT(blocks.output, HasSubstr("WOULD_BLOCK: RA, RB could not all return home"));
   EXPECT_THAT(tmCell("explain " + artifact + " RX_b_Z2").output, HasSubstr("the cell has RA_g_W"));
 }
 
@@ -101,7 +101,7 @@ TEST_F(TmCell, tellsWhatASupervisorKeepsOutOfAsRules) {
   const Outcome head_on = tmCell("rules " + built("head_on"));
   EXPECT_EQ(head_on.exit_code, 0) << head_on.output;
   EXPECT_THAT(head_on.output, HasSubstr("not RA with Z1 (W>1) while RB with Z2 (W>1)\n"));
-  EXPECT_THAT(head_on.output, HasSubstr("RA, RB: 1 rules for 1 states that it keeps out of"));
+  EXPECT_THAT(head_on.output, HasSubstr("RA, RB: 1 rules for 1 states to avoid"));
   const Outcome iris = tmCell("rules " + built("iris"));
   EXPECT_EQ(iris.exit_code, 0) << iris.output;
   EXPECT_THAT(iris.output, HasSubstr(" while R2 with "));
@@ -116,7 +116,7 @@ TEST_F(TmCell, tellsWhatASupervisorKeepsOutOfAsRules) {
 TEST_F(TmCell, findsTheShortestSchedule) {
   const Outcome schedule = tmCell("schedule " + built("iris"));
   EXPECT_EQ(schedule.exit_code, 0) << schedule.output;
-  EXPECT_THAT(schedule.output, HasSubstr("it is the shortest"));
+  EXPECT_THAT(schedule.output, HasSubstr("this is the shortest"));
 }
 
 TEST_F(TmCell, answersInJson) {
@@ -141,10 +141,10 @@ TEST_F(TmCell, keepsAPalletBackThatWouldEnterByItself) {
   const Outcome refused = tmCell("explain " + artifact + " PALLET_g_FEED --behind RA_g_FETCH,RA_b_Z1");
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.output,
-              HasSubstr("WOULD_BLOCK: nobody could keep PALLET out of Z1, which RA would hold"));
+              HasSubstr("WOULD_BLOCK: PALLET could not be kept out of Z1, which RA would hold"));
   const Outcome safe_order = tmCell("build " + cellFile("pallet") + " --policy safe_order -o " + in("other"));
   EXPECT_EQ(safe_order.exit_code, 1);
-  EXPECT_THAT(safe_order.output, HasSubstr("it could not be kept waiting"));
+  EXPECT_THAT(safe_order.output, HasSubstr("it cannot be made to wait"));
   EXPECT_EQ(tmCell("schedule " + artifact).exit_code, 0);
 }
 
@@ -166,7 +166,7 @@ TEST_F(TmCell, coversAMeshByBoxesThatACellFileTakes) {
   EXPECT_EQ(checked.exit_code, 0) << checked.output;
   EXPECT_THAT(checked.output, HasSubstr("1 parts"));
   std::ofstream(in("no.stl")) << "shapes: []";
-  EXPECT_THAT(tmCell("cover " + in("no.stl")).output, HasSubstr("no.stl: it is no STL file"));
+  EXPECT_THAT(tmCell("cover " + in("no.stl")).output, HasSubstr("no.stl: it is not an STL file"));
   EXPECT_EQ(tmCell("cover " + in("plate.stl") + " --cell 0").exit_code, 2);
 }
 
@@ -191,7 +191,7 @@ TEST_F(TmCell, writesZonesAndClaimsForViewers) {
   std::ofstream(in("file")) << "no folder";
   const Outcome refused = tmCell("voxels " + cellFile("pallet") + " -o " + in("file"));
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.output, HasSubstr("cannot be made"));
+  EXPECT_THAT(refused.output, HasSubstr("cannot be created"));
   EXPECT_EQ(tmCell("voxels " + cellFile("pallet")).exit_code, 2);
   EXPECT_EQ(tmCell("voxels " + cellFile("pallet") + " --format pcd -o " + in("maps")).exit_code, 2);
 }
@@ -229,7 +229,7 @@ TEST_F(TmCell, tellsLaunchFilesWhatTheyWantToKnowOfAnArtifact) {
   EXPECT_EQ(tmCell("ask " + artifact + " places RA").output, "HOME T1 FETCH> FETCH>1 BRING> BRING>1\n");
   const Outcome one_more = tmCell("ask " + artifact + " robots RA");
   EXPECT_EQ(one_more.exit_code, 1);
-  EXPECT_THAT(one_more.output, HasSubstr("\"RA\" is one word too many: robots is asked of the whole cell"));
+  EXPECT_THAT(one_more.output, HasSubstr("\"RA\": robots refers to the whole cell"));
   const Outcome none = tmCell("ask " + artifact + " model PALLET");
   EXPECT_EQ(none.exit_code, 1);
   EXPECT_THAT(none.output, HasSubstr("there is no \"PALLET\" with a model: the artifact has RA"));
@@ -244,7 +244,7 @@ TEST_F(TmCell, readsWholeNumbersAsPeopleWriteThem) {
                              "--cycles 0x10", "--cycles 1.5", "--cycles 1000001", "--cycles ''"}) {
     const Outcome outcome = tmCell("simulate " + artifact + " --quiet " + option);
     EXPECT_EQ(outcome.exit_code, 2) << option;
-    EXPECT_THAT(outcome.output, HasSubstr("is no whole number from")) << option;
+    EXPECT_THAT(outcome.output, HasSubstr("is not a whole number from")) << option;
   }
   EXPECT_EQ(tmCell("simulate " + artifact + " --quiet --seed 999999999").exit_code, 0);
 }

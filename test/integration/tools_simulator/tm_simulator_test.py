@@ -313,7 +313,7 @@ class Refusing(unittest.TestCase):
         numbers = '1,2,3,4,5,6'
         for mention, options in (
                 ('--script-port: is 5890.7; allowed: a whole number, 0 to 65535', ['--script-port', '5890.7']),
-                ('--status-port: is 7000, which script_port is, too', ['--script-port', '7000', '--status-port', '7000']),
+                ('--status-port: is 7000, the same as script_port', ['--script-port', '7000', '--status-port', '7000']),
                 ('--status-period: is 0.5; allowed: a number, 1 to 1000 ms', ['--status-period', '0.5']),
                 ('--stop-time: is nan', ['--stop-time', 'nan']),
                 ('--connection-timeout: is -1', ['--connection-timeout', '-1']),

@@ -10,8 +10,8 @@
 namespace cobot_command::arm {
 namespace {
 
-using testing::DoubleNear;
-using testing::Pointwise;
+using ::testing::DoubleNear;
+using ::testing::Pointwise;
 
 double angleBetween(const Pose& a, const Pose& b) {
   // The sine, not the angle's cosine: small angles keep their digits.

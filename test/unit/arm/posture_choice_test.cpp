@@ -26,7 +26,7 @@ class NearestTurn : public ::testing::Test {
 };
 
 #define EXPECT_JOINTS(actual, ...) \
-  EXPECT_THAT(actual, testing::Pointwise(testing::DoubleNear(1e-9), ControllerJoints{__VA_ARGS__}))
+  EXPECT_THAT(actual, ::testing::Pointwise(::testing::DoubleNear(1e-9), ControllerJoints{__VA_ARGS__}))
 
 TEST_F(NearestTurn, keepsWhatIsNearestAlready) {
   EXPECT_JOINTS(turned({10, 20, 30, 40, 50, 60}, {0, 0, 0, 0, 0, 0}), 10, 20, 30, 40, 50, 60);

@@ -60,7 +60,7 @@ TEST(RobotVectors, forwardKinematicsGivesEveryListedPoseWithItsBits) {
     const JointVector joints = toJointVector(vector.joints);
     SCOPED_TRACE(std::string(vector.model) + ::testing::PrintToString(vector.joints));
     EXPECT_THAT(toControllerPose(forwardKinematics(arm, joints)),
-                testing::Pointwise(testing::DoubleNear(5.1e-4), vector.pose));
+                ::testing::Pointwise(::testing::DoubleNear(5.1e-4), vector.pose));
     EXPECT_EQ(poseBitsOf(arm, joints).numbers(), vector.bits);
   }
 }
@@ -147,7 +147,7 @@ TEST(RobotVectors, inverseKinematicsGivesAllEightListedPosturesWithTheirBits) {
     SCOPED_TRACE(table.model);
     const ArmModel arm = model(table.model);
     const Pose flange = forwardKinematics(arm, toJointVector(table.branches.front().joints));
-    EXPECT_THAT(toControllerPose(flange), testing::Pointwise(testing::DoubleNear(5.1e-4), table.pose));
+    EXPECT_THAT(toControllerPose(flange), ::testing::Pointwise(::testing::DoubleNear(5.1e-4), table.pose));
 
     const Branches branches = allBranches(arm, flange);
     ASSERT_EQ(branches.size(), 8U);
@@ -191,10 +191,10 @@ TEST(RobotVectors, theManualsTransExampleHoldsWithThisEulerConvention) {
   trans.translation() = p2.translation() - p1.translation();
   trans.linear() = p2.linear() * p1.linear().transpose();
   const ControllerPose expected = {-48.57532, 315.5404, 4.367615, -34.39363, -30.39285, -40.52448};
-  EXPECT_THAT(toControllerPose(trans), testing::Pointwise(testing::DoubleNear(1e-4), expected));
+  EXPECT_THAT(toControllerPose(trans), ::testing::Pointwise(::testing::DoubleNear(1e-4), expected));
   const ControllerPose inverse = {206.4934, -100.5999, -221.7758, 44.54835, -2.848977, 48.96799};
   EXPECT_THAT(toControllerPose(toPose(expected).inverse()),
-              testing::Pointwise(testing::DoubleNear(1e-4), inverse));
+              ::testing::Pointwise(::testing::DoubleNear(1e-4), inverse));
 }
 
 TEST(RobotVectors, theManualsChangerefExampleHoldsWithThisEulerConvention) {
@@ -202,7 +202,7 @@ TEST(RobotVectors, theManualsChangerefExampleHoldsWithThisEulerConvention) {
   const Pose base = toPose({-431.93, -140.61, 368.73, -57.70, -44.98, 33.62});
   const ControllerPose expected = {0.0020, 0.0000, -0.0023, 113.9423, 14.9346, -123.1989};
   EXPECT_THAT(toControllerPose(base.inverse() * pose),
-              testing::Pointwise(testing::DoubleNear(6e-3), expected));
+              ::testing::Pointwise(::testing::DoubleNear(6e-3), expected));
 }
 
 }  // namespace

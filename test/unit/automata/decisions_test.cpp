@@ -3,6 +3,7 @@
 
 #include "cell_problems.h"
 #include "synthesized.h"
+#include "thorough.h"
 #include <gmock/gmock.h>
 
 #include "cobot_command/automata/safe_order.h"
@@ -136,7 +137,7 @@ TEST(MutualExclusionAlone, endsDead) {
 TEST(Supervisor, neverEndsDead) {
   for (const Problem& problem : {a2a(), ring(3)}) {
     const Supervisor supervisor = supervisorOf(problem);
-    for (unsigned seed = 0; seed < 500; ++seed) {
+    for (unsigned seed = 0; seed < testing::tenthWhenWatched(500U); ++seed) {
       EXPECT_EQ(runByChance(supervisor, problem.events.size(), seed, 1000).dead, 0);
     }
   }
@@ -157,9 +158,9 @@ TEST(SafeOrder, bringsAllHomeInTheOrderThatItSays) {
   for (const char* name : {"R1_g_W", "R1_b_Z1", "R2_g_W", "R2_b_Z2"}) {
     state = rule.decide(state, eventOf(problem, name)).next;
   }
-  EXPECT_THAT(rule.orderHome(state), testing::ElementsAre(1, 2, 0)) << "R1 waits for R2";
-  EXPECT_THAT(rule.aheadOf(state, 0), testing::ElementsAre(1)) << "R3 is at home";
-  EXPECT_THAT(rule.aheadOf(state, 1), testing::IsEmpty());
+  EXPECT_THAT(rule.orderHome(state), ::testing::ElementsAre(1, 2, 0)) << "R1 waits for R2";
+  EXPECT_THAT(rule.aheadOf(state, 0), ::testing::ElementsAre(1)) << "R3 is at home";
+  EXPECT_THAT(rule.aheadOf(state, 1), ::testing::IsEmpty());
 }
 
 TEST(SafeOrder, choosesAmongPathsOnlyThoseThatLeadHome) {
@@ -179,10 +180,10 @@ TEST(SafeOrder, choosesAmongPathsOnlyThoseThatLeadHome) {
 
 TEST(SafeOrder, refusesProblemsWhoseBookingsCannotWait) {
   Problem problem = a1();
-  EXPECT_THAT(SafeOrder::objectionsTo(problem), testing::IsEmpty());
+  EXPECT_THAT(SafeOrder::objectionsTo(problem), ::testing::IsEmpty());
   problem.events[eventOf(problem, "RB_b_Z")].controllable = false;
   EXPECT_THAT(SafeOrder::objectionsTo(problem),
-              testing::ElementsAre(testing::HasSubstr("\"RB_b_Z\" takes Z")));
+              ::testing::ElementsAre(::testing::HasSubstr("\"RB_b_Z\" takes Z")));
 }
 
 }  // namespace

@@ -14,8 +14,8 @@
 namespace cobot_command::automata {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::string dataFile() {
   std::stringstream text;
@@ -54,10 +54,10 @@ TEST(Wmod, bringsAllProblemsBack) {
 
 TEST(Json, saysWhereWhatIsWrong) {
   const auto fault = [](const std::string& text) { return problemsFromJson(text).error(); };
-  EXPECT_THAT(fault("{"), HasSubstr("no JSON"));
-  EXPECT_THAT(fault("[]"), HasSubstr("the file is no object"));
+  EXPECT_THAT(fault("{"), HasSubstr("not JSON"));
+  EXPECT_THAT(fault("[]"), HasSubstr("the file is not an object"));
   EXPECT_THAT(fault("{}"), HasSubstr("the file has no \"problems\""));
-  EXPECT_THAT(fault(R"({"problems": [7]})"), HasSubstr("problems[0] is no object"));
+  EXPECT_THAT(fault(R"({"problems": [7]})"), HasSubstr("problems[0] is not an object"));
   EXPECT_THAT(fault(R"({"problems": [{"events": 7}]})"),
               HasSubstr("problems[0].events is number, not array"));
   EXPECT_THAT(fault(R"({"problems": [{"events": [{"name": "a"}]}]})"),
@@ -77,7 +77,7 @@ TEST(Json, neverPassesWhatIsNoProblem) {
     if (run % 2 == 0) text.resize(chance() % text.size());
     const auto problems = problemsFromJson(text);
     if (!problems) continue;
-    for (const Problem& problem : *problems) EXPECT_THAT(faultsOf(problem), testing::IsEmpty());
+    for (const Problem& problem : *problems) EXPECT_THAT(faultsOf(problem), ::testing::IsEmpty());
   }
 }
 
@@ -90,7 +90,7 @@ TEST(Wmod, neverPassesWhatIsNoProblem) {
     if (run % 2 == 0) text.resize(chance() % text.size());
     const auto problem = problemFromWmod(text);
     if (problem) {
-      EXPECT_THAT(faultsOf(*problem), testing::IsEmpty());
+      EXPECT_THAT(faultsOf(*problem), ::testing::IsEmpty());
     }
   }
 }
@@ -130,7 +130,7 @@ TEST(Wmod, readsWhatSupremicaWrites) {
   ASSERT_TRUE(problem) << problem.error();
   EXPECT_EQ(problem->name, "drill");
   ASSERT_EQ(problem->automata.size(), 1U);
-  EXPECT_THAT(problem->automata[0].marked, testing::ElementsAre(0, 1));
+  EXPECT_THAT(problem->automata[0].marked, ::testing::ElementsAre(0, 1));
   EXPECT_FALSE(problem->events[1].controllable);
 }
 
@@ -145,7 +145,7 @@ TEST(Wmod, refusesByNameWhatIsMoreThanPlainAutomata) {
             "</Graph></SimpleComponent>"),
       HasSubstr("<GuardActionBlock>"));
   EXPECT_THAT(problemFromWmod("<Model/>").error(), HasSubstr("<Module>"));
-  EXPECT_THAT(problemFromWmod("drill").error(), HasSubstr("no XML"));
+  EXPECT_THAT(problemFromWmod("drill").error(), HasSubstr("not XML"));
 }
 
 Problem withOddNames() {

@@ -18,10 +18,10 @@ namespace {
 using test_support::a1;
 using test_support::a2a;
 using test_support::ring;
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 constexpr std::size_t kStates = 1000000;
 
@@ -160,13 +160,12 @@ TEST(ComparedRules, areToldWithTheEventsThatLeadThere) {
   auto rules = ruled.rules;
   // RB at its place behind its second booking: nothing is wrong with RA at home.
   rules.push_back({{{0, {0}}, {1, {3}}}});
-  EXPECT_THAT(
-      compareRules(ruled.supervisor, rules, kStates).faults,
-      Contains("a rule is too wide: \"not RA at RA.0 while RB at RB.3\" refuses RB_b_Z1 behind RB_g_W "
-               "RB_b_Z2, which the supervisor grants"));
+  EXPECT_THAT(compareRules(ruled.supervisor, rules, kStates).faults,
+              Contains("a rule is too wide: \"not RA at RA.0 while RB at RB.3\" refuses RB_b_Z1 after RB_g_W "
+                       "RB_b_Z2, which the supervisor grants"));
   EXPECT_THAT(
       compareRules(ruled.supervisor, {}, kStates).faults,
-      Contains("the rules are too narrow: none refuses RB_b_Z2 behind RA_g_W RA_b_Z1 RB_g_W, which the "
+      Contains("the rules are too narrow: none refuses RB_b_Z2 after RA_g_W RA_b_Z1 RB_g_W, which the "
                "supervisor refuses"));
 }
 

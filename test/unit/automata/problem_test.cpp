@@ -6,8 +6,8 @@
 namespace cobot_command::automata {
 namespace {
 
-using testing::Contains;
-using testing::HasSubstr;
+using ::testing::Contains;
+using ::testing::HasSubstr;
 
 Problem withChange(void (*change)(Problem&)) {
   Problem problem = test_support::a1();
@@ -20,7 +20,7 @@ void expectFault(void (*change)(Problem&), const char* words) {
 }
 
 TEST(FaultsOfAProblem, areNoneOfACell) {
-  EXPECT_THAT(faultsOf(test_support::ring(5)), testing::IsEmpty());
+  EXPECT_THAT(faultsOf(test_support::ring(5)), ::testing::IsEmpty());
 }
 
 TEST(FaultsOfAProblem, nameWhatMakesItAmbiguous) {
@@ -30,10 +30,10 @@ TEST(FaultsOfAProblem, nameWhatMakesItAmbiguous) {
       },
       "RA: \"RA_g_T1\" leads from \"RA.0\" to \"RA.1\" and to \"RA.3\"");
   expectFault([](Problem& problem) { problem.events[1].name = problem.events[0].name; },
-              "\"RA_g_T1\" is there twice");
-  expectFault([](Problem& problem) { problem.automata[1].name = "RA"; }, "\"RA\" is there twice");
+              "\"RA_g_T1\" appears twice");
+  expectFault([](Problem& problem) { problem.automata[1].name = "RA"; }, "\"RA\" appears twice");
   expectFault([](Problem& problem) { problem.automata[0].states[1] = "RA.0"; },
-              "the state \"RA.0\" is there twice");
+              "the state \"RA.0\" appears twice");
   expectFault([](Problem& problem) { problem.automata[0].alphabet.push_back(0); }, "has \"RA_g_T1\" twice");
 }
 
@@ -45,11 +45,11 @@ TEST(FaultsOfAProblem, nameWhatIsNotThere) {
       "no plant has the event \"nobody's\"");
   expectFault([](Problem& problem) { problem.automata[0].marked.clear(); }, "no state is marked");
   expectFault([](Problem& problem) { problem.automata[0].marked = {6}; },
-              "a marked state is none of its states");
+              "a marked state is not one of its states");
   expectFault([](Problem& problem) { problem.automata[0].initial = 6; },
-              "its initial state is none of its states");
+              "its initial state is not one of its states");
   expectFault([](Problem& problem) { problem.automata[0].transitions[0].to = 6; },
-              "begins or ends in none of its states");
+              "starts or ends in a state that is not one of its states");
   expectFault([](Problem& problem) { problem.automata[0].alphabet.clear(); }, "not in its alphabet");
   expectFault([](Problem& problem) { problem.automata[0].alphabet[0] = 99; }, "the problem does not have");
   expectFault([](Problem& problem) { problem.automata[0].states.clear(); }, "it has no states");

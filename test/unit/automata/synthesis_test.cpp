@@ -128,7 +128,7 @@ TEST(IndependentParts, areWhatSharesNoEvent) {
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(sizeOf(parts[0].problem), Size(27, 48));
   EXPECT_EQ(sizeOf(parts[1].problem), Size(27, 48));
-  EXPECT_THAT(parts[1].automata, testing::ElementsAre(3, 4, 5));
+  EXPECT_THAT(parts[1].automata, ::testing::ElementsAre(3, 4, 5));
   EXPECT_EQ(both.events[parts[1].events[0]].name, parts[1].problem.events[0].name);
 }
 
@@ -160,7 +160,7 @@ TEST(ShortestWayIntoConflict, isTheBookingsInOppositeOrder) {
   for (const EventIndex event : shortestWayIntoConflict(synthesized.space)) {
     names.push_back(problem.events[event].name);
   }
-  EXPECT_THAT(names, testing::UnorderedElementsAre("RA_g_W", "RA_b_Z1", "RB_g_W", "RB_b_Z2"));
+  EXPECT_THAT(names, ::testing::UnorderedElementsAre("RA_g_W", "RA_b_Z1", "RB_g_W", "RB_b_Z2"));
 }
 
 TEST(Synthesis, isEmptyWhereTheConflictCannotBeRefused) {

@@ -15,9 +15,9 @@ namespace {
 using test_support::a1;
 using test_support::a2a;
 using test_support::ring;
-using testing::Contains;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 struct Made {
   CompiledSupervisor supervisor;
@@ -70,9 +70,9 @@ TEST(Verification, namesABookingThatCannotBeTakenBack) {
   const Holds holds = {{{}, {0}}, {{}, {}}, {}};
   EXPECT_THAT(verify(supervisor.supervisor, supervisor.fingerprint).faults, IsEmpty())
       << "of what is no cell, nobody takes anything back";
-  EXPECT_THAT(
-      verify(supervisor.supervisor, supervisor.fingerprint, holds).faults,
-      Contains(HasSubstr("taken back, A_b_Z leads to where the supervisor never is, behind A_b_Z B_b")));
+  EXPECT_THAT(verify(supervisor.supervisor, supervisor.fingerprint, holds).faults,
+              Contains(HasSubstr(
+                  "withdrawn, A_b_Z leads to a state that the supervisor never reaches, after A_b_Z B_b")));
 }
 
 TEST(Verification, namesTheBlockingOfAMissingFrontierState) {
@@ -80,7 +80,7 @@ TEST(Verification, namesTheBlockingOfAMissingFrontierState) {
   supervisor.supervisor.frontier.clear();
   const auto faults = verify(supervisor.supervisor, "").faults;
   EXPECT_THAT(faults, Contains(HasSubstr("it blocks")));
-  EXPECT_THAT(faults, Contains(HasSubstr("not all come home")));
+  EXPECT_THAT(faults, Contains(HasSubstr("not all can return home")));
 }
 
 TEST(Verification, namesWhatIsRefusedWithoutNeed) {

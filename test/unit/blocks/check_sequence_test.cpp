@@ -217,7 +217,7 @@ TEST(CheckSequence, namesTheFirstStepWhenItCannotBeMadeFromTheEndOfTheLast) {
   EXPECT_EQ(round.ending, Ending::Rejected);
   EXPECT_EQ(reportOf(round).failed_step, 0);
   EXPECT_THAT(round.error_description, HasSubstr("step 1 of 2"));
-  EXPECT_THAT(round.error_description, HasSubstr("when it comes again, behind the last step"));
+  EXPECT_THAT(round.error_description, HasSubstr("when it is repeated after the last step"));
   ASSERT_EQ(reportOf(round).steps.size(), 2u);
   EXPECT_NE(reportOf(round).steps[0].error_id, 0);
   EXPECT_EQ(reportOf(round).steps[1].error_id, 0);
@@ -362,7 +362,7 @@ TEST(CheckSequence, notesAToolThatIsTooHeavyForTheArm) {
   const Outcome heavy = withTool(14);
   EXPECT_EQ(heavy.ending, Ending::Done);
   EXPECT_EQ(reportOf(heavy).steps[0].error_id, 0);
-  EXPECT_THAT(reportOf(heavy).steps[0].error_description, HasSubstr("14 kg, tm5-900 carries 4 kg"));
+  EXPECT_THAT(reportOf(heavy).steps[0].error_description, HasSubstr("14 kg, the payload of tm5-900 is 4 kg"));
   EXPECT_THAT(heavy.error_description, HasSubstr("step 1: the tool has 14 kg"));
   EXPECT_EQ(withTool(4).error_description, "");
 }

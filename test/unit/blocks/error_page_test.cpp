@@ -16,12 +16,15 @@ namespace {
 std::string page() {
   std::string text =
       "# Errors\n\n"
-      "`error_id` of a result, by action. The thesis writes ids in hexadecimal (16#10 is 0x10 = 16); ids "
-      "from 16#200 "
-      "on are\nthis layer's own. Those of `load_path` from 1000 on are of the manual of that instruction, "
-      "and "
-      "decimal as there.\nThe first violated row of a table decides the id (of `load_path` 1000 before 1005, "
-      "and these before 1001 to 1003 and all others);\nthe description names what was found.\n";
+      "Each result has an `error_id`; its meaning depends on the action. `16#` marks hexadecimal numbers, as "
+      "in the thesis (16#10 is 0x10 = 16).\n\n"
+      "- Ids below 16#200 are from the thesis; those of `exchange_configuration` are from SRCI.\n"
+      "- Ids from 16#200 on are defined by this package, ids from 16#8000 on are from SRCI.\n"
+      "- Ids 1000 to 1061 of `load_path` are from the manual of that instruction, and decimal as in the "
+      "manual.\n"
+      "- If a goal violates several rows, the first one in its table gives the id. In `load_path`, 1000 "
+      "comes before 1005, these before 1001 to 1003, and those before all others.\n"
+      "- `error_description` also gives the value that was found, and `remedy` the action to take.\n";
   const char* block = "";
   for (const blocks::ErrorEntry& entry : blocks::errorCatalogue()) {
     if (block != std::string(toString(entry.block))) {
@@ -39,7 +42,7 @@ TEST(ErrorPage, isTheErrorCatalogue) {
   std::ifstream file(test_support::inSourceTree("doc/errors.md"));
   std::stringstream found;
   found << file.rdbuf();
-  EXPECT_EQ(found.str(), page()) << "doc/errors.md has to be:\n" << page();
+  EXPECT_EQ(found.str(), page()) << "doc/errors.md must be:\n" << page();
 }
 
 }  // namespace

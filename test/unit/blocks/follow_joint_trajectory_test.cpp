@@ -120,7 +120,8 @@ TEST(TrajectoryRules, takeTwoPointsAtOneTimeInOnePlace) {
     ASSERT_EQ(failures.size(), 1U);
     EXPECT_EQ(failures[0].error_id, own_error::kTrajectoryInvalid);
     EXPECT_EQ(indexOf(failures[0]), static_cast<int>(index) + 1);
-    EXPECT_THAT(failures[0].found, HasSubstr("at the same time as the point before it, and J4 elsewhere"));
+    EXPECT_THAT(failures[0].found,
+                HasSubstr("the same time as the point before it, and J4 has another position"));
   }
   EXPECT_EQ(errorWith<Trajectory>(twice(1, 0, 0.1)), own_error::kTrajectoryInvalid)
       << "one speed at one time";
@@ -244,7 +245,7 @@ TEST_F(TrajectoryPlans, nameThePointThatCannotBeReachedInTime) {
   const Failure failure = refused([](auto& g) { g.points[2].time = 1.03; });
   EXPECT_EQ(failure.error_id, own_error::kJointSpeed);
   EXPECT_EQ(indexOf(failure), 2);
-  EXPECT_THAT(failure.found, HasSubstr("on the way to point 2"));
+  EXPECT_THAT(failure.found, HasSubstr("on the path to point 2"));
 }
 
 TEST_F(TrajectoryPlans, haveNothingToMoveAtTheStart) {

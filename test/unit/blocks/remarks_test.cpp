@@ -21,10 +21,9 @@ TEST(Remarks, areOneTextOfAllThatIsToBeKnown) {
   Remarks remarks = warnedOf("line 1: a = b");
   remarks.unplanned = "there is no model";
   remarks.unseen = "there is no stream";
-  EXPECT_EQ(
-      remarks.text(),
-      "sent unplanned and unchecked: there is no model; nobody has seen where it ended: there is no stream; "
-      "the controller warns of line 1: a = b");
+  EXPECT_EQ(remarks.text(),
+            "sent unplanned and unchecked: there is no model; its end position was not confirmed: there is "
+            "no stream; the controller warns of line 1: a = b");
   EXPECT_EQ(remarks.textOfWarnings(), "the controller warns of line 1: a = b");
 }
 

@@ -81,7 +81,7 @@ TEST(RunScriptRules, leaveTheNodeBehindTheQueueTag) {
 }
 
 TEST(RunScriptRules, refuseLinesThatWouldNeverRun) {
-  EXPECT_EQ(faultOf("a()\nScriptExit()\nb()"), "the lines behind line 2, ScriptExit(), would never run");
+  EXPECT_EQ(faultOf("a()\nScriptExit()\nb()"), "the lines after line 2, ScriptExit(), would never run");
 }
 
 TEST(RunScriptRules, takePriorityCommandsOnlyByThemselves) {

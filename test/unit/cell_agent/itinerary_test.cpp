@@ -135,8 +135,8 @@ TEST_F(ItineraryTest, goesOnWithThePathThatItIsOnAlready) {
 
 TEST_F(ItineraryTest, cannotBeginWhereTheRobotIsNot) {
   EXPECT_THAT(*itinerary.begin({{"BACK_A"}, 1}, 0, std::nullopt),
-              HasSubstr("is at HOME, and BACK_A begins at A"));
-  EXPECT_THAT(*itinerary.begin({{"OUT_A"}, 1}, 0, kOn), HasSubstr("is on path ON, and not on OUT_A"));
+              HasSubstr("is at HOME, but BACK_A starts at A"));
+  EXPECT_THAT(*itinerary.begin({{"OUT_A"}, 1}, 0, kOn), HasSubstr("is on path ON, not on OUT_A"));
 }
 
 TEST(ARequestForPaths, isRefusedWhereTheyCannotBeGoneOneBehindTheOther) {
@@ -145,11 +145,11 @@ TEST(ARequestForPaths, isRefusedWhereTheyCannotBeGoneOneBehindTheOther) {
   EXPECT_EQ(Itinerary::objectionTo(program, {{}, 3}), std::nullopt);
   EXPECT_EQ(Itinerary::objectionTo(program, {{"OUT_A"}, 1}), std::nullopt);
   EXPECT_THAT(*Itinerary::objectionTo(program, {{"OUT_C"}, 1}),
-              HasSubstr("no path \"OUT_C\", but OUT_A, BACK_A"));
+              HasSubstr("no path \"OUT_C\"; it has OUT_A, BACK_A"));
   EXPECT_THAT(*Itinerary::objectionTo(program, {{"OUT_A", "BACK_B"}, 1}),
-              HasSubstr("BACK_B begins at B, and OUT_A ends at A"));
-  EXPECT_THAT(*Itinerary::objectionTo(program, {{"OUT_A"}, 2}), HasSubstr("have to come round"));
-  EXPECT_THAT(*Itinerary::objectionTo(program, {{"OUT_A"}, 0}), HasSubstr("have to come round"));
+              HasSubstr("BACK_B starts at B, but OUT_A ends at A"));
+  EXPECT_THAT(*Itinerary::objectionTo(program, {{"OUT_A"}, 2}), HasSubstr("must form a loop"));
+  EXPECT_THAT(*Itinerary::objectionTo(program, {{"OUT_A"}, 0}), HasSubstr("must form a loop"));
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ class Pallet : public ::testing::Test {
 TEST_F(Pallet, isRefusedUnderAnotherName) {
   const auto none = MechanismAgent::of(palletArtifact(), "RA", 7);
   ASSERT_FALSE(none);
-  EXPECT_THAT(none.error(), HasSubstr("no mechanism \"RA\", but PALLET"));
+  EXPECT_THAT(none.error(), HasSubstr("no mechanism \"RA\"; it has PALLET"));
 }
 
 TEST_F(Pallet, tellsNothingBeforeItWasMeasured) {

@@ -33,7 +33,7 @@ class StateWatchTest : public testing::Test {
 TEST_F(StateWatchTest, knowsNothingBeforeAnythingWasHeard) {
   EXPECT_EQ(watch.mine(), nullptr);
   EXPECT_EQ(watch.instance(), 0U);
-  EXPECT_THAT(*watch.objection(now), HasSubstr("no supervisor was heard"));
+  EXPECT_THAT(*watch.objection(now), HasSubstr("no message of a supervisor was received"));
 }
 
 TEST_F(StateWatchTest, reliesOnAStateUntilTheLeaseIsOver) {
@@ -44,7 +44,7 @@ TEST_F(StateWatchTest, reliesOnAStateUntilTheLeaseIsOver) {
   EXPECT_EQ(watch.instance(), 7U);
   EXPECT_EQ(watch.objection(now + 500ms), std::nullopt);
   EXPECT_NE(watch.objection(now + 500ms + Duration(1)), std::nullopt);
-  EXPECT_THAT(*watch.objection(now + 600ms), HasSubstr("silent for 0.6 s"));
+  EXPECT_THAT(*watch.objection(now + 600ms), HasSubstr("no message of the supervisor for 0.6 s"));
 }
 
 TEST_F(StateWatchTest, isToldNothingByAnOldState) {
@@ -84,7 +84,7 @@ TEST_F(StateWatchTest, takesNothingOfAnotherArtifact) {
   state.hash = "9876543210";
   EXPECT_FALSE(watch.hear(state, 1, now));
   EXPECT_EQ(watch.mine(), nullptr);
-  EXPECT_THAT(*watch.objection(now), HasSubstr("another artifact (98765432, and this is 01234567)"));
+  EXPECT_THAT(*watch.objection(now), HasSubstr("another artifact (98765432, this node has 01234567)"));
 }
 
 TEST_F(StateWatchTest, isOfNoRobotThatTheStateDoesNotHave) {
@@ -101,7 +101,8 @@ TEST_F(StateWatchTest, reliesOnNoStateThatKnowsOnlyOldReports) {
   EXPECT_EQ(watch.objection(now + 500ms), std::nullopt);
   watch.told(2, now + 400ms);
   EXPECT_TRUE(watch.hear(state, 2, now + 600ms));
-  EXPECT_THAT(*watch.objection(now + 600ms), HasSubstr("what the supervisor tells is 0.6 s old"));
+  EXPECT_THAT(*watch.objection(now + 600ms),
+              HasSubstr("the supervisor's last report of the robot is 0.6 s old"));
   state.robots[1].report = 2;
   EXPECT_TRUE(watch.hear(state, 3, now + 700ms));
   EXPECT_EQ(watch.objection(now + 900ms), std::nullopt);
@@ -113,7 +114,7 @@ TEST_F(StateWatchTest, reliesOnNoStateThatNeverKnewANewReport) {
   watch.told(2, now + 2s);
   EXPECT_TRUE(watch.hear(state, 1, now + 2s));
   EXPECT_EQ(watch.silence(now + 2s), std::nullopt);
-  EXPECT_THAT(*watch.objection(now + 2s), HasSubstr("knows none of the robot's last reports"));
+  EXPECT_THAT(*watch.objection(now + 2s), HasSubstr("has not received the robot's last reports"));
 }
 
 TEST_F(StateWatchTest, isToldNothingByReportsOfAnotherSession) {

@@ -140,9 +140,9 @@ TEST(TheCheckOfAnArtifact, refusesAChangeOfEachKindOfValueInIt) {
 
 TEST(TheCheckOfAnArtifact, namesThePlaceAndBothValues) {
   EXPECT_THAT(faultsOf([](Artifact& artifact) { artifact.robots[0].paths[0].holds[0].last_piece = 3; }),
-              Contains(HasSubstr("/robots/0/paths/0/holds/0/last_piece is 3, and its cell makes it null")));
+              Contains(HasSubstr("/robots/0/paths/0/holds/0/last_piece is 3, but its cell results in null")));
   EXPECT_THAT(faultsOf([](Artifact& artifact) { artifact.parameters.margin = 0.005; }),
-              Contains("/parameters/margin is 0.005, and its cell makes it 0.02"));
+              Contains("/parameters/margin is 0.005, but its cell results in 0.02"));
   EXPECT_THAT(faultsOf([](Artifact& artifact) { artifact.robots[1].tool[0].capsules[0].radius = 0.01; }),
               Contains(HasSubstr("/robots/1/tool/0/capsules/0/6 is 0.01")));
   EXPECT_THAT(
@@ -190,7 +190,7 @@ TEST(TheCheckOfAnArtifact, readsTheFilesThatTheCellNamesInIt) {
   EXPECT_THAT(faultsOf(build.bytes()), IsEmpty());
   TwoLines lines(build.bytes());
   lines.source["files"] = json::object();
-  EXPECT_THAT(faultsOf(repaired(lines.made, lines.source)), Contains(HasSubstr("does not hold it")));
+  EXPECT_THAT(faultsOf(repaired(lines.made, lines.source)), Contains(HasSubstr("does not contain it")));
 }
 
 TEST(TheCheckOfAnArtifact, refusesAPolicyThatNothingProves) {

@@ -144,7 +144,7 @@ TEST(TheCycleOfAMechanism, isRefusedWhereADurationIsNotKnown) {
   const Artifact artifact = *fromBytes(bytesOf(cell));
   const auto cycle = cycleOf(artifact, *modelOf(artifact.program), 1);
   ASSERT_FALSE(cycle);
-  EXPECT_EQ(cycle.error(), "PALLET: how long CLEAR takes is not known: give it a duration in the cell file");
+  EXPECT_EQ(cycle.error(), "PALLET: the duration of CLEAR is unknown: set it in the cell file");
 }
 
 TEST(TheScheduleOfThePallet, letsTheRobotIntoTheZoneBeforeOrBehindIt) {

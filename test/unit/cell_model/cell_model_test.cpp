@@ -111,14 +111,14 @@ std::vector<std::string> faultsOf(const CellProgram& program) {
 TEST(TheModelOfACell, refusesProgramsThatCannotBeMeant) {
   CellProgram twice = handover();
   twice.robots[0].paths[0].steps = {book({0}), book({0})};
-  EXPECT_THAT(faultsOf(twice), ElementsAre("RA: on T1 it books Z, which it holds already"));
+  EXPECT_THAT(faultsOf(twice), ElementsAre("RA: on T1 it books Z, which it already holds"));
   CellProgram never = handover();
   never.robots[0].paths[1].steps = {release(0), release(0)};
   EXPECT_THAT(faultsOf(never), ElementsAre("RA: on HOME it releases Z, which it does not hold"));
   CellProgram kept = handover();
   kept.robots[0].paths[1].steps.clear();
   EXPECT_THAT(faultsOf(kept),
-              ElementsAre("RA: at HOME it holds Z when it comes by HOME, and nothing otherwise"));
+              ElementsAre("RA: at HOME it holds Z if it arrives by HOME, but nothing otherwise"));
   CellProgram away = handover();
   away.robots[1].paths.pop_back();
   EXPECT_THAT(faultsOf(away), ElementsAre(HasSubstr("RB: no paths lead home from T1")));
@@ -131,7 +131,7 @@ TEST(TheModelOfACell, refusesProgramsThatCannotBeMeant) {
   EXPECT_THAT(faultsOf(both), ElementsAre(HasSubstr("RA and RB both hold Z at home")));
   CellProgram nowhere = handover();
   nowhere.robots[0].paths[0].to = 7;
-  EXPECT_THAT(faultsOf(nowhere), ElementsAre(HasSubstr("names a station or zone that is not there")));
+  EXPECT_THAT(faultsOf(nowhere), ElementsAre(HasSubstr("names a station or zone that does not exist")));
 }
 
 }  // namespace

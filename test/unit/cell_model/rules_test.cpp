@@ -184,7 +184,7 @@ TEST(Supervisors, areRefusedWithTheWayIntoAConflictThatCannotBeRefused) {
   program.robots[1].paths = {{"W", 0, 1, {book({0})}}, {"HOME", 1, 0, {release(0)}}};
   const auto none = synthesizeParts(*modelOf(program), Policy::SafeOrder, 1000);
   ASSERT_FALSE(none);
-  EXPECT_THAT(none.error(), testing::HasSubstr("could not be kept waiting"));
+  EXPECT_THAT(none.error(), testing::HasSubstr("cannot be made to wait"));
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST(TheMonitorOfAFileWithMechanisms, isRefusedWhereAShapeOrTheStopDistanceIsNon
   EXPECT_THAT(refused.error(), HasSubstr("mechanisms.PALLET: "));
   const auto too_far = runtime::monitorOf(pallet(), Mode::Stop, 0.03);
   ASSERT_FALSE(too_far);
-  EXPECT_THAT(too_far.error(), HasSubstr("may be no more than the margin"));
+  EXPECT_THAT(too_far.error(), HasSubstr("must be at most the margin"));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(MonitorData, thatIsStaleOfARobotThatMovesStopsAll) {
   monitor.tick(at(1.5) + Duration(1));
   const auto stops = only<StopAll>(monitor.takeActions());
   ASSERT_EQ(stops.size(), 1u);
-  EXPECT_EQ(stops[0].why, "left moved when it was heard last, and that was measured more than 0.5 s ago.");
+  EXPECT_EQ(stops[0].why, "left moved in its last report, which was measured more than 0.5 s ago.");
   monitor.tick(at(9));
   EXPECT_TRUE(monitor.takeActions().empty());
   EXPECT_FALSE(monitor.reset(at(9)).success);
@@ -175,8 +175,7 @@ TEST(MonitorSettingsCheck, refusesWhatIsNone) {
   EXPECT_NE(message(settings), "");
   settings = {};
   settings.stop_distance = 0.021;
-  EXPECT_EQ(message(settings),
-            "The stop distance is 0.021 m, but it may be no more than the margin, 0.02 m.");
+  EXPECT_EQ(message(settings), "The stop distance is 0.021 m, but must be at most the margin, 0.02 m.");
   settings = {};
   settings.stale_after = Duration(0);
   EXPECT_NE(message(settings), "");

@@ -75,7 +75,7 @@ TEST(MonitorDistance, isNotKnownBeforeBothRobotsWereHeard) {
   monitor.take("left", kHome, kStanding, Duration(0), at(0));
   monitor.tick(at(0));
   EXPECT_FALSE(monitor.status().pairs.front().known);
-  EXPECT_EQ(monitor.status().diagnosis, "right was not heard yet.");
+  EXPECT_EQ(monitor.status().diagnosis, "right has not reported yet.");
 }
 
 TEST(MonitorDistance, keepsTheLeastEverAndWhenThatWas) {

@@ -70,7 +70,7 @@ TEST(MonitorOfMechanisms, doesNotKnowADistanceBeforeOneWasHeard) {
   monitor.take("left", kHome, kStanding, Duration(0), at(1));
   monitor.tick(at(1));
   EXPECT_FALSE(monitor.status().pairs.front().known);
-  EXPECT_EQ(monitor.status().diagnosis, "pallet was not heard yet.");
+  EXPECT_EQ(monitor.status().diagnosis, "pallet has not reported yet.");
 }
 
 TEST(MonitorOfMechanisms, stopsAllWhereARobotIsTooCloseToOne) {
@@ -143,7 +143,7 @@ TEST(MonitorOfMechanisms, stopsAllWhereOneThatMovesFallsSilent) {
   monitor.tick(*monitor.nextDeadline());
   const auto stops = only<StopAll>(monitor.takeActions());
   ASSERT_EQ(stops.size(), 1U);
-  EXPECT_EQ(stops[0].why, "pallet moved when it was heard last, and that was measured more than 0.5 s ago.");
+  EXPECT_EQ(stops[0].why, "pallet moved in its last report, which was measured more than 0.5 s ago.");
 }
 
 TEST(MonitorOfMechanisms, letsOneThatStandsBeSilent) {

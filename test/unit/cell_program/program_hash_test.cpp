@@ -2,6 +2,7 @@
 #include <string>
 
 #include "cell_texts.h"
+#include "thorough.h"
 #include <gmock/gmock.h>
 
 namespace cobot_command::cell {
@@ -179,7 +180,7 @@ TEST(CellHash, knowsBytesThatAreOthers) {
   const std::string hash = hashOf(example);
   std::mt19937 random(11);
   const std::string marks = "{}[]:,&*#-?|>!%@`'\" \n\t0123456789abc~<.\x04\xff";
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < testing::tenthWhenWatched(3000); ++i) {
     std::string text = kExample;
     for (auto changes = 1 + random() % 3; changes > 0; --changes) {
       text[random() % text.size()] = marks[random() % marks.size()];

@@ -63,7 +63,7 @@ TEST(CellKeys, thatStandTwiceAreRefusedWithBothLines) {
     const auto cell = parsed(text);
     ASSERT_FALSE(cell) << key.key;
     const auto& faults = cell.error();
-    const std::string words = fmt::format("before in line {}", key.line);
+    const std::string words = fmt::format("first in line {}", key.line);
     EXPECT_TRUE(std::any_of(faults.begin(), faults.end(),
                             [&](const Fault& fault) {
                               return fault.line == key.line + 1 &&
@@ -78,7 +78,7 @@ TEST(CellKeys, thatAreNamesStandOnceToo) {
   for (const char* name : {"  RA: 5\n", "  RB: 5\n"}) {
     for (const char* map : {"robots:\n", "stations:\n", "programs:\n"}) {
       const std::string faults = faultsOf(with(kExample, map, std::string(map) + name));
-      EXPECT_THAT(faults, ::testing::HasSubstr("stands twice in ")) << name << map;
+      EXPECT_THAT(faults, ::testing::HasSubstr("is twice in ")) << name << map;
     }
   }
 }

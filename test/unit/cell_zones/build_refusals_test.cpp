@@ -79,7 +79,7 @@ TEST(ACellOfTooManyZones, isRefusedWithHowManyThereAre) {
   ASSERT_EQ(refusal.faults.size(), 1U);
   EXPECT_THAT(refusal.faults.front(), HasSubstr("at most max_zones = 256 are allowed"));
   const Refusal two = refusalOf("head_on", [](Cell& cell) { cell.parameters.max_zones = 1; });
-  EXPECT_THAT(two.faults, Contains(HasSubstr("there are 2 zones, and at most max_zones = 1 are allowed")));
+  EXPECT_THAT(two.faults, Contains(HasSubstr("there are 2 zones, but at most max_zones = 1 are allowed")));
 }
 
 TEST(ACellOfTooManyStates, isRefusedWhereSafeOrdersCannotDecideEither) {

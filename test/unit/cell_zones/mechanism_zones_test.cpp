@@ -214,8 +214,8 @@ TEST(TheSoundnessOfRobotsOnATable, tellsTheLeastThatIsLeftAndOfWhichBody) {
   const Soundness found = checkSoundness(zoned.cell, zoned.claims, zoned.held);
   EXPECT_LT(found.least, 0.0);
   EXPECT_THAT(found.faults,
-              Contains(AllOf(HasSubstr("RA at HOME"), HasSubstr(" mm may be left between them (link_2)"))));
-  const std::string least = fmt::format("{:.1f} mm may be left", 1000.0 * found.least);
+              Contains(AllOf(HasSubstr("RA at HOME"), HasSubstr(" mm remain between them (link_2)"))));
+  const std::string least = fmt::format("{:.1f} mm remain", 1000.0 * found.least);
   EXPECT_THAT(found.faults, Contains(HasSubstr(least))) << "the worst of the path, and not the first";
 }
 

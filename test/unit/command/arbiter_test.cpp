@@ -14,8 +14,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 MoveAbsoluteGoal moveWith(BufferMode mode, double x = 417.5) {
-  MoveAbsoluteGoal goal = CoreRig::move();
-  goal.buffer_mode = static_cast<int>(mode);
+  MoveAbsoluteGoal goal = CoreRig::move(mode);
   goal.target[0] = x;
   return goal;
 }
@@ -46,7 +45,7 @@ void expectNotStopped(const CoreRig& rig, GoalId id, const std::string& words) {
   EXPECT_EQ(rig.outcome(id)->ending, Ending::Rejected);
   EXPECT_EQ(rig.outcome(id)->error_id, own_error::kStopNotConfirmed);
   EXPECT_THAT(rig.outcome(id)->error_description, AllOf(HasSubstr("may still move"), HasSubstr(words)));
-  EXPECT_THAT(rig.outcome(id)->remedy, HasSubstr("Make sure that the robot stands"));
+  EXPECT_THAT(rig.outcome(id)->remedy, HasSubstr("Make sure that the robot is at standstill"));
 }
 
 void expectDone(const CoreRig& rig, GoalId id) {

@@ -2,6 +2,7 @@
 // that holds.
 
 #include "core_rig.h"
+#include "motion_goals.h"
 #include "status_frames.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,9 +27,7 @@ class CommandedBurden : public ::testing::TestWithParam<const char*> {
   }
   /// A blended motion, done for its goal.
   void setInMotion() {
-    MoveAbsoluteGoal blended = CoreRig::move();
-    blended.data_format = static_cast<int>(AbsoluteFormat::Jpp);
-    blended.target = {60, 0, 90, 0, 90, 0};
+    MoveAbsoluteGoal blended = moveJoints({60, 0, 90, 0, 90, 0}, 10);
     blended.blending_enable = true;
     rig.submit(blended);
     rig.reply(rig.takeScript().id);
@@ -53,10 +52,10 @@ class CommandedBurden : public ::testing::TestWithParam<const char*> {
     ASSERT_NE(rig.outcome(goal), nullptr);
     EXPECT_EQ(rig.outcome(goal)->error_id, own_error::kRobotError);
     if (told) {
-      EXPECT_THAT(rig.latest().diagnosis, HasSubstr("8 kg, tm5-900 carries 4 kg"));
+      EXPECT_THAT(rig.latest().diagnosis, HasSubstr("8 kg, the payload of tm5-900 is 4 kg"));
       EXPECT_THAT(rig.outcome(goal)->remedy, HasSubstr("change_tcp"));
     } else {
-      EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr("carries")));
+      EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr("the payload of")));
       EXPECT_THAT(rig.outcome(goal)->remedy, Not(HasSubstr("change_tcp")));
     }
   }

@@ -16,6 +16,9 @@ using Row = std::pair<blocks::Block, int>;
 using Scenario = std::function<blocks::Outcome()>;
 using Scenarios = std::map<Row, Scenario>;
 
+/// The goal in that mode, if its block has modes.
+[[nodiscard]] blocks::Goal inMode(blocks::BufferMode mode, blocks::Goal goal);
+
 [[nodiscard]] Scenarios connectScenarios();
 /// The settings of the interface, and how they cease to rule.
 [[nodiscard]] Scenarios exchangeScenarios();

@@ -26,15 +26,6 @@ Row rowOf(const Goal& goal, int general) {
   return {blockOf(goal), ownErrorId(blockOf(goal), general)};
 }
 
-Goal inMode(BufferMode mode, Goal goal) {
-  std::visit(Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {},
-                        [](CheckSequenceGoal&) {}, [](ExchangeConfigurationGoal&) {}, [](JogGoal&) {},
-                        [](ReturnToPrimaryGoal&) {}, [](RunProgramGoal&) {},
-                        [mode](auto& command) { command.buffer_mode = static_cast<int>(mode); }},
-             goal);
-  return goal;
-}
-
 Goal buffered(const Goal& goal) {
   return inMode(BufferMode::Buffered, goal);
 }
@@ -48,15 +39,30 @@ Outcome until(const Goal& goal, const std::function<void(CoreRig&, const std::st
   return endOf(rig, id);
 }
 
-/// The end of a goal that comes after `before`.
+/// The end of a goal that comes after `before`: it is refused, and nothing of it is sent.
 Outcome after(const Goal& goal, const std::function<void(CoreRig&)>& before) {
   CoreRig rig(std::nullopt, link::LinkSettings{});
   before(rig);
+  const int scripts = rig.scripts_sent;
+  const std::vector<int> tags = rig.latest().open_tags;
   const GoalId id = rig.submit(goal);
-  return endOf(rig, id);
+  EXPECT_EQ(rig.scripts_sent, scripts);
+  EXPECT_EQ(rig.latest().open_tags, tags);
+  const Outcome outcome = endOf(rig, id);
+  EXPECT_EQ(outcome.ending, Ending::Rejected);
+  return outcome;
 }
 
 }  // namespace
+
+Goal inMode(BufferMode mode, Goal goal) {
+  std::visit(Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {},
+                        [](CheckSequenceGoal&) {}, [](ExchangeConfigurationGoal&) {}, [](JogGoal&) {},
+                        [](ReturnToPrimaryGoal&) {}, [](RunProgramGoal&) {},
+                        [mode](auto& command) { command.buffer_mode = static_cast<int>(mode); }},
+             goal);
+  return goal;
+}
 
 Scenarios triedScenarios(const Goal& goal) {
   const auto row = [&](int id) { return rowOf(goal, id); };
@@ -94,7 +100,7 @@ Scenarios turnScenarios(const Goal& goal) {
          return after(buffered(goal), [](CoreRig& rig) {
            connect(rig);
            rig.submit(CoreRig::move());
-           while (rig.outcome(rig.submit(buffered(CoreRig::move()))) == nullptr) {
+           while (rig.outcome(rig.submit(CoreRig::move(BufferMode::Buffered))) == nullptr) {
            }
          });
        }},
@@ -220,6 +226,7 @@ Scenarios stopScenarios(const Goal& goal) {
          }
          rig.takeScript();
          rig.pass(1s);
+         EXPECT_EQ(rig.outcome(id)->ending, Ending::Aborted);
          return *rig.outcome(id);
        }},
       {row(motion_error::kLinkDropped), [=] { return until(goal, lose); }},

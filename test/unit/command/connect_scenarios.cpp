@@ -63,7 +63,9 @@ Scenarios connectScenarios() {
        [] {
          CoreRig rig;
          rig.shutDown();
-         return *rig.outcome(rig.submit(CoreRig::robot()));
+         const Outcome outcome = *rig.outcome(rig.submit(CoreRig::robot()));
+         EXPECT_EQ(outcome.ending, Ending::Rejected);
+         return outcome;
        }},
       {row(own_error::kHostInvalid), [] { return connectWith([](auto& g) { g.host = ""; }); }},
       {row(own_error::kPortRange), [] { return connectWith([](auto& g) { g.port = 0; }); }},

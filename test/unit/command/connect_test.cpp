@@ -227,7 +227,7 @@ TEST(Connect, findsADeadPeerWithinThreeSeconds) {
   rig.pass(3s);
   ASSERT_NE(rig.outcome(goal), nullptr);
   EXPECT_EQ(rig.outcome(goal)->error_id, connect_error::kDisconnected);
-  EXPECT_THAT(rig.outcome(goal)->error_description, HasSubstr("lifesigns"));
+  EXPECT_THAT(rig.outcome(goal)->error_description, HasSubstr("heartbeats"));
   rig.discardSent();
 }
 

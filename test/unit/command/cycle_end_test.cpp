@@ -87,7 +87,7 @@ TEST(Finish, letsTheCycleEndAndIsThenDone) {
   ASSERT_NE(rig.outcome(goal), nullptr);
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);
   EXPECT_EQ(rig.outcome(goal)->detail.as<CycleReport>().cycles_done, 2);
-  EXPECT_THAT(rig.outcome(goal)->error_description, HasSubstr("behind cycle 2"));
+  EXPECT_THAT(rig.outcome(goal)->error_description, HasSubstr("after cycle 2"));
   EXPECT_TRUE(rig.nothingSent());
 }
 
@@ -97,9 +97,7 @@ TEST(Finish, letsASingleMoveBeDoneAndDropsWhatWaits) {
     rig.connect();
     const GoalId running = rig.submit(CoreRig::move());
     rig.reply(rig.takeScript().id);
-    MoveAbsoluteGoal behind = CoreRig::move();
-    behind.buffer_mode = static_cast<int>(BufferMode::Buffered);
-    const GoalId waiting = rig.submit(behind);
+    const GoalId waiting = rig.submit(CoreRig::move(BufferMode::Buffered));
     finish(rig, after);
     ASSERT_NE(rig.outcome(waiting), nullptr);
     EXPECT_EQ(rig.outcome(waiting)->ending, Ending::CommandAborted);
@@ -116,7 +114,7 @@ TEST(Finish, changesNothingWhenNothingIsUnderWay) {
   rig.connect();
   const command::FinishReport nothing = finish(rig, FinishAfter::Cycle);
   EXPECT_FALSE(nothing.foundAny());
-  EXPECT_EQ(toText(nothing), "nothing is under way");
+  EXPECT_EQ(toText(nothing), "nothing is running");
   const GoalId goal = rig.submit(cycle(2));
   runCycle(rig);
   runCycle(rig);
@@ -127,8 +125,7 @@ TEST(Finish, leavesWhatWasReceivedAfterIt) {
   CoreRig rig;
   rig.connect();
   const GoalId first = rig.submit(CoreRig::move());
-  MoveAbsoluteGoal next = CoreRig::move();
-  next.buffer_mode = static_cast<int>(BufferMode::Buffered);
+  MoveAbsoluteGoal next = CoreRig::move(BufferMode::Buffered);
   next.target[0] += 5;
   const GoalId before = rig.submit(next);
   const GoalId after = rig.submit(next);
@@ -147,23 +144,18 @@ TEST(Finish, leavesWhatWasReceivedAfterIt) {
 TEST(Finish, tellsWhatItHasFound) {
   CoreRig rig;
   rig.connect();
-  MoveAbsoluteGoal blended = CoreRig::move();
-  blended.blending_enable = true;
-  rig.submit(blended);
+  rig.submit(CoreRig::blended());
   rig.reply(rig.takeScript().id);
   const command::FinishReport loose = finish(rig, FinishAfter::Move);
   EXPECT_FALSE(loose.foundAny());
-  EXPECT_THAT(toText(loose),
-              HasSubstr("nothing is under way; motions whose goals have ended may still move"));
+  EXPECT_THAT(toText(loose), HasSubstr("nothing is running; motions whose goals have ended may still move"));
 
   rig.submit(CoreRig::move());
-  MoveAbsoluteGoal behind = CoreRig::move();
-  behind.buffer_mode = static_cast<int>(BufferMode::Buffered);
-  rig.submit(behind);
+  rig.submit(CoreRig::move(BufferMode::Buffered));
   const command::FinishReport one = finish(rig, FinishAfter::Move);
   EXPECT_TRUE(one.foundAny());
   EXPECT_EQ(toText(one),
-            "move_absolute comes to its end; its own result tells of it; one goal waited, and has ended");
+            "move_absolute runs to its end; see its own result; one goal in the queue has ended");
   rig.reply(rig.takeScript().id);
   rig.tag(rig.latest().open_tags.at(0));
 
@@ -352,7 +344,7 @@ TEST(CycleEnd, tellsTheFirstCancelWhileAnOutputIsUnderWayWhateverIsAskedBehindIt
   rig.reply(output.id);
   ASSERT_NE(rig.outcome(id), nullptr);
   EXPECT_EQ(rig.outcome(id)->ending, Ending::CommandAborted);
-  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("cancelled; no motion was under way"));
+  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("cancelled; no motion was running"));
 }
 
 TEST(CycleExit, isRefusedBeforeTheFirstMoveWhereItWouldBreakTheCycle) {

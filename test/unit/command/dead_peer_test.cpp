@@ -21,9 +21,7 @@ TEST_P(DeadPeer, isFoundWithinThreeSecondsAndEverythingEndsInTheSameEvent) {
   const GoalId connect = rig.connect();
   rig.pass(1s + std::chrono::milliseconds(GetParam()));  // somewhere between two lifesigns
   const GoalId motion = rig.submit(CoreRig::move());
-  auto behind = CoreRig::move();
-  behind.buffer_mode = static_cast<int>(BufferMode::Buffered);
-  const GoalId waiting = rig.submit(behind);
+  const GoalId waiting = rig.submit(CoreRig::move(BufferMode::Buffered));
   const GoalId pause = rig.submit(ProgramControlGoal{});
   rig.discardSent();
 

@@ -82,17 +82,6 @@ TEST(Details, ofAKindThatTheCoreDoesNotKnowAreHandedOnWithoutACopy) {
   EXPECT_EQ(told, 4);
 }
 
-TEST(Details, ofAConnectAreItsTimes) {
-  CoreRig rig;
-  const GoalId id = rig.submit(CoreRig::robot());
-  ASSERT_NE(rig.progress(id).back().detail.find<LinkTimes>(), nullptr);
-  rig.open();
-  EXPECT_EQ(rig.progress(id).back().detail.as<LinkTimes>().last_connected, rig.now);
-  rig.cancel(id);
-  ASSERT_NE(endOf(rig, id).detail.find<LinkTimes>(), nullptr);
-  EXPECT_EQ(endOf(rig, id).detail.as<LinkTimes>().last_lost, rig.now);
-}
-
 TEST(Details, ofAMotionThatIsOnlyCheckedAreItsPath) {
   Planning rig;
   MoveAbsoluteGoal absolute = aside();

@@ -4,6 +4,7 @@
 
 #include "block_goals.h"
 #include "core_rig.h"
+#include "motion_goals.h"
 #include "status_frames.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,14 +31,6 @@ StatusFrames passing(const Joints& joints) {
   return StatusFrames().at(joints).moving();
 }
 
-MoveAbsoluteGoal toJoints(const std::array<double, 6>& joints_deg) {
-  MoveAbsoluteGoal goal = CoreRig::move();
-  goal.data_format = static_cast<int>(AbsoluteFormat::Jpp);
-  goal.target = joints_deg;
-  goal.speed = 50;
-  return goal;
-}
-
 class Evidence : public ::testing::Test {
  protected:
   explicit Evidence(const link::LinkSettings& settings = {})
@@ -46,18 +39,13 @@ class Evidence : public ::testing::Test {
     rig.status(StatusFrames());
   }
   /// A motion that was accepted.
-  GoalId moving(const Goal& goal = toJoints({60, 0, 90, 0, 90, 0})) {
+  GoalId moving(const Goal& goal = moveJoints({60, 0, 90, 0, 90, 0})) {
     const GoalId id = rig.submit(goal);
     rig.reply(rig.takeScript().id);
     return id;
   }
   /// Lets time pass while the status stream goes on.
-  void stream(Duration duration, const StatusFrames& frame) {
-    for (Duration t{}; t < duration; t += 15ms) {
-      rig.pass(15ms);
-      rig.status(frame);
-    }
-  }
+  void stream(Duration duration, const StatusFrames& frame) { rig.streamFor(duration, frame); }
   void expectDone(GoalId id) {
     ASSERT_NE(rig.outcome(id), nullptr);
     EXPECT_EQ(rig.outcome(id)->ending, Ending::Done) << rig.outcome(id)->error_description;
@@ -98,7 +86,7 @@ TEST_F(Evidence, againstATagThatWasAnothersIsAnError) {
 }
 
 TEST_F(Evidence, isAlsoAskedForWhenTheTagComesBeforeTheReply) {
-  const GoalId id = rig.submit(toJoints({60, 0, 90, 0, 90, 0}));
+  const GoalId id = rig.submit(moveJoints({60, 0, 90, 0, 90, 0}));
   const auto script = rig.takeScript();
   rig.tag(1);
   rig.reply(script.id);
@@ -186,7 +174,7 @@ TEST_F(Evidence, isThatTheRobotWasThereAlsoWhenItMovesOn) {
 TEST_F(Evidence, thatItWasThereIsWhatTheResultTells) {
   const Goal path = with<LoadPathGoal>([](auto& g) { g.number_of_moves = 1; });
   const Goal trajectory = with<FollowJointTrajectoryGoal>([](auto& g) { g.path_tolerance.fill(-1); });
-  for (const Goal& goal : {Goal(toJoints({10, 0, 90, 0, 90, 0})), path, trajectory}) {
+  for (const Goal& goal : {Goal(moveJoints({10, 0, 90, 0, 90, 0})), path, trajectory}) {
     SCOPED_TRACE(toString(blockOf(goal)));
     rig.status(at(kHome));
     const GoalId id = moving(goal);
@@ -214,7 +202,7 @@ TEST_F(Evidence, thatItStandsThereIsWhatTheResultTells) {
 
 /// To be there says nothing then.
 TEST_F(Evidence, ofAMotionThatEndsWhereItBeganIsThatItStands) {
-  const GoalId id = moving(toJoints({0, 0, 90, 0, 90, 0}));
+  const GoalId id = moving(moveJoints({0, 0, 90, 0, 90, 0}));
   rig.tag(1);
   rig.status(passing(kHome));
   stream(600ms, passing(kHome));
@@ -248,7 +236,7 @@ TEST(EvidenceWithoutAModel, isKnownOfJoints) {
   CoreRig rig(std::nullopt, link::LinkSettings{});
   rig.connect();
   rig.status(StatusFrames());
-  const GoalId id = rig.submit(toJoints({60, 0, 90, 0, 90, 0}));
+  const GoalId id = rig.submit(moveJoints({60, 0, 90, 0, 90, 0}));
   rig.reply(rig.takeScript().id);
   rig.tag(1);
   rig.status(at(kHome));
@@ -267,17 +255,18 @@ TEST_F(Evidence, ofAScriptThatSetsVelocitiesIsItsTag) {
   rig.tag(1);
   expectDone(id);
   stream(2s, passing(kHome));
-  EXPECT_EQ(rig.latest().diagnosis.find("nothing of this layer"), std::string::npos) << "that is ours";
+  EXPECT_EQ(rig.latest().diagnosis.find("no command of this node is running"), std::string::npos)
+      << "that is ours";
 }
 
 TEST_F(Evidence, isNoBusinessOfABlendedMotion) {
-  MoveAbsoluteGoal goal = toJoints({60, 0, 90, 0, 90, 0});
+  MoveAbsoluteGoal goal = moveJoints({60, 0, 90, 0, 90, 0});
   goal.blending_enable = true;
   expectDone(moving(goal));
 }
 
 TEST_F(Evidence, comesBeforeTheListenNodeIsLeft) {
-  MoveAbsoluteGoal goal = toJoints({60, 0, 90, 0, 90, 0});
+  MoveAbsoluteGoal goal = moveJoints({60, 0, 90, 0, 90, 0});
   goal.exit_node = true;
   const GoalId id = moving(goal);
   rig.tag(1);

@@ -20,6 +20,7 @@ Outcome until(const std::function<void(ExchangeRig&)>& trouble) {
   const GoalId id = rig.exchange();
   trouble(rig);
   rig.discardSent();
+  EXPECT_EQ(rig.outcome(id)->ending, Ending::Aborted);
   return *rig.outcome(id);
 }
 

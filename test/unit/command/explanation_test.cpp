@@ -206,9 +206,7 @@ TEST_F(Explanation, isNotWaitedForWhenTheLayerShutsDown) {
 }
 
 TEST_F(Explanation, holdsBackWhatWaits) {
-  MoveAbsoluteGoal next = CoreRig::move();
-  next.buffer_mode = static_cast<int>(BufferMode::Buffered);
-  const GoalId waiting = rig.submit(next);
+  const GoalId waiting = rig.submit(CoreRig::move(BufferMode::Buffered));
   rig.tag(1, TagState::Incomplete);
   rig.reply(rig.takeScript().id);
   frame(StatusFrames().error(0x13, "PTP"));

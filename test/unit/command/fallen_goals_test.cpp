@@ -15,9 +15,7 @@ using namespace command;
 using ::testing::HasSubstr;
 
 MoveAbsoluteGoal buffered() {
-  MoveAbsoluteGoal goal = CoreRig::move();
-  goal.buffer_mode = static_cast<int>(BufferMode::Buffered);
-  return goal;
+  return CoreRig::move(BufferMode::Buffered);
 }
 
 class FallenGoals : public ::testing::Test {

@@ -37,12 +37,7 @@ class Fault : public ::testing::Test {
     return goal;
   }
   /// Lets time pass while the status stream goes on.
-  void stream(Duration duration, const StatusFrames& frame) {
-    for (Duration t{}; t < duration; t += 500ms) {
-      rig.pass(500ms);
-      rig.status(frame);
-    }
-  }
+  void stream(Duration duration, const StatusFrames& frame) { rig.streamFor(duration, frame, 500ms); }
   void expectStopSent() { EXPECT_EQ(rig.takeScript().script, "StopAndClearBuffer()"); }
   CoreRig rig;
 };
@@ -130,14 +125,14 @@ TEST_F(Fault, tagReportedFalse) {
 }
 
 TEST(FaultWithoutStatus, linkLostAtEachStep) {
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 5; ++i) {
     CoreRig other;
     const GoalId connect = other.connect();
     const GoalId goal = other.submit(CoreRig::move());
     const auto script = other.takeScript();
     if (i == 1 || i == 3) other.reply(script.id);
     if (i == 2) other.tag(1);
-    if (i == 3) other.cancel(goal);
+    if (i >= 3) other.cancel(goal);
     other.discardSent();
     other.close("reset");
     expectAborted(other, goal, motion_error::kLinkDropped, "reset");
@@ -198,7 +193,7 @@ TEST_F(Fault, overdueMotionFailedWhenTheRobotStands) {
   stream(300s, StatusFrames());
   rig.takeTagQuery();
   rig.tag(1, TagState::Incomplete);
-  expectAborted(rig, goal, motion_error::kMotionFailed, "stands");
+  expectAborted(rig, goal, motion_error::kMotionFailed, "standstill");
   expectStopSent();
 }
 

@@ -146,7 +146,7 @@ TEST(RefusedLines, aListOfAMillionIsToldShortAndAsTheFaultOfTheController) {
   EXPECT_EQ(rig.outcome(id)->error_id, motion_error::kRejected);
   EXPECT_THAT(rig.outcome(id)->error_description,
               AllOf(HasSubstr("line 1: PTP("), HasSubstr("line 2: QueueTag("),
-                    HasSubstr("999998 lines that a script of 2 lines has not, such as line 3")));
+                    HasSubstr("999998 lines that the script of 2 lines does not have, such as line 3")));
   expectAllFit(rig);
 }
 
@@ -158,13 +158,13 @@ TEST(RefusedLines, areToldOnceEachAndOnlyThoseThatThereAre) {
   expectOutcomeFits(rig, id);
   const std::string& found = rig.outcome(id)->error_description;
   EXPECT_THAT(found, HasSubstr("line 1: PTP("));
-  EXPECT_THAT(found, HasSubstr("one that a script of 2 lines has not, such as line 0"));
+  EXPECT_THAT(found, HasSubstr("one that the script of 2 lines does not have, such as line 0"));
   EXPECT_EQ(found.find("line 2: "), found.rfind("line 2: "));
 
   const GoalId other = rig.submit(CoreRig::move());
   rig.reply(rig.takeScript().id, false, {1});
   expectOutcomeFits(rig, other);
-  EXPECT_THAT(rig.outcome(other)->error_description, Not(HasSubstr("has not")));
+  EXPECT_THAT(rig.outcome(other)->error_description, Not(HasSubstr("does not have")));
 }
 
 TEST(RefusedLines, areNoDetailOfTheBlock) {

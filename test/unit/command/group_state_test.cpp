@@ -44,9 +44,7 @@ TEST_F(GroupStates, tellTheInterface) {
 
 TEST_F(GroupStates, tellWhatIsUnderWayAndHowFullTheQueueIs) {
   EXPECT_EQ(state().sequence, Sequence::Idle);
-  MoveAbsoluteGoal move = CoreRig::move();
-  move.buffer_mode = static_cast<int>(BufferMode::Buffered);
-  for (int i = 0; i < 13; ++i) rig.submit(move);
+  for (int i = 0; i < 13; ++i) rig.submit(CoreRig::move(BufferMode::Buffered));
   EXPECT_EQ(state().sequence, Sequence::Executing);
   EXPECT_DOUBLE_EQ(state().queue_usage, 20);
   rig.status(StatusFrames().paused());

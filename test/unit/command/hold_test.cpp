@@ -45,7 +45,7 @@ TEST_F(Hold, byAPauseInTheScriptTellsWhatContinuesIt) {
   const GoalId id = rig.submit(pausing());
   rig.reply(rig.takeScript().id);
   rig.status(StatusFrames().paused());
-  expectHeld(id, AllOf(HasSubstr("held by a Pause() in the script"), HasSubstr("program_control")));
+  expectHeld(id, AllOf(HasSubstr("paused by a Pause() in the script"), HasSubstr("program_control")));
   EXPECT_THAT(rig.latest().diagnosis, HasSubstr("the project is paused"));
   for (int i = 0; i < 700; ++i) {
     rig.pass(500ms);
@@ -63,7 +63,7 @@ TEST_F(Hold, byAPauseThatTheScriptDoesNotHaveIsTheProjects) {
   const GoalId id = rig.submit(script);
   rig.reply(rig.takeScript().id);
   rig.status(StatusFrames().paused());
-  expectHeld(id, AllOf(HasSubstr("held, the project is paused"), HasSubstr("program_control"),
+  expectHeld(id, AllOf(HasSubstr("the project is paused"), HasSubstr("program_control"),
                        Not(HasSubstr("in the script"))));
   endIt(id);
 }
@@ -72,7 +72,7 @@ TEST_F(Hold, byASafeguardTellsSo) {
   const GoalId id = rig.submit(pausing());
   rig.reply(rig.takeScript().id);
   rig.status(StatusFrames().with(protocol::item::ofBool("Safeguard_A", true)));
-  expectHeld(id, HasSubstr("held by a safeguard"));
+  expectHeld(id, HasSubstr("stopped by a safeguard"));
   endIt(id);
 }
 
@@ -108,12 +108,12 @@ TEST_F(Hold, inFrontOfAMotionThatWaitsForAnotherIsToldToo) {
   second.script = "PTP(\"JPP\",20,0,90,0,90,0,30,300,0,false)";
   const GoalId id = rig.submit(second);
   rig.reply(rig.takeScript().id);
-  expectHeld(id, HasSubstr("the motion in front of it"));
+  expectHeld(id, HasSubstr("the motion before it"));
   for (int i = 0; i < 40; ++i) {
     rig.pass(500ms);
     rig.status(StatusFrames().paused());
   }
-  expectHeld(id, AllOf(HasSubstr("the motion in front of it"), HasSubstr("held, the project is paused"),
+  expectHeld(id, AllOf(HasSubstr("the motion before it"), HasSubstr("the project is paused"),
                        HasSubstr("program_control")));
   EXPECT_FALSE(rig.outputs(kBlock<RunScriptGoal>).active) << "nothing of it is executed";
   rig.status(StatusFrames().moving());

@@ -91,11 +91,7 @@ TEST(SetOutputBlock, leavesTheMotionAloneWhenItIsNotAnswered) {
 
 /// The stream goes on, the input off.
 void stream(CoreRig& rig, Duration duration) {
-  constexpr Duration kPeriod = 100ms;
-  for (Duration passed{}; passed < duration; passed += kPeriod) {
-    rig.pass(kPeriod);
-    rig.status(inputs(false));
-  }
+  rig.streamFor(duration, inputs(false), 100ms);
 }
 
 TEST(WaitForInputBlock, isDoneWithTheFrameThatShowsTheInput) {
@@ -125,16 +121,14 @@ TEST(WaitForInputBlock, saysThatNoFrameCame) {
   Cell rig;
   const GoalId id = rig.wait(0.2);
   rig.pass(200ms);
-  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("no status frame came in 0.2 s"));
+  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("no status frame arrived in 0.2 s"));
 }
 
 TEST(WaitForInputBlock, holdsBackWhatComesBehindIt) {
   Cell rig;
   rig.wait();
-  MoveAbsoluteGoal move = CoreRig::move();
-  EXPECT_EQ(rig.outcome(rig.submit(move))->error_id, motion_error::kOtherBlockBusy);
-  move.buffer_mode = static_cast<int>(BufferMode::Buffered);
-  rig.submit(move);
+  EXPECT_EQ(rig.outcome(rig.submit(CoreRig::move()))->error_id, motion_error::kOtherBlockBusy);
+  rig.submit(CoreRig::move(BufferMode::Buffered));
   EXPECT_TRUE(rig.nothingSent());
   rig.pass(15ms);
   rig.status(inputs(true));
@@ -144,9 +138,7 @@ TEST(WaitForInputBlock, holdsBackWhatComesBehindIt) {
 TEST(WaitForInputBlock, takesWhatWaitsBehindItWithItWhenItTimesOut) {
   Cell rig;
   const GoalId id = rig.wait(1);
-  MoveAbsoluteGoal move = CoreRig::move();
-  move.buffer_mode = static_cast<int>(BufferMode::Buffered);
-  const GoalId behind = rig.submit(move);
+  const GoalId behind = rig.submit(CoreRig::move(BufferMode::Buffered));
   stream(rig, 900ms);
   rig.pass(99ms);
   EXPECT_EQ(rig.outcome(id), nullptr);
@@ -321,7 +313,7 @@ TEST(ChangeLoadBlock, countsForWhatTheArmCarries) {
   rig.submit(ChangeLoadGoal{5, 0});
   rig.reply(rig.takeScript().id);
   ASSERT_FALSE(rig.warnings.empty());
-  EXPECT_THAT(rig.warnings.back(), HasSubstr("its load (ChangeLoad) 5 kg, tm5-900 carries 4 kg"));
+  EXPECT_THAT(rig.warnings.back(), HasSubstr("its load (ChangeLoad) 5 kg, the payload of tm5-900 is 4 kg"));
 }
 
 }  // namespace

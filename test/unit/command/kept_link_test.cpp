@@ -20,6 +20,12 @@ struct Rig : CoreRig {
   }
 };
 
+ConnectGoal robotAt(const std::string& host) {
+  ConnectGoal goal = CoreRig::robot();
+  goal.host = host;
+  return goal;
+}
+
 TEST(KeptLink, isMadeWithoutAGoal) {
   Rig rig;
   rig.open();
@@ -98,14 +104,10 @@ TEST(KeptLink, comesBackWhenTheLinkOfAGoalBehindACancelledOneIsLost) {
 TEST(KeptLink, tellsOfTheRobotThatItHasLostInMotion) {
   Rig rig;
   rig.open();
-  ConnectGoal other = CoreRig::robot();
-  other.host = "another";
+  const ConnectGoal other = robotAt("another");
   const GoalId goal = rig.submit(other);
   rig.open();
-  MoveAbsoluteGoal blended = CoreRig::move();
-  blended.blending_enable = true;
-  blended.blending_value = 50;
-  rig.submit(blended);
+  rig.submit(CoreRig::blended(50));
   rig.reply(rig.takeScript().id);
   rig.close("peer gone");
   ASSERT_NE(rig.outcome(goal), nullptr);
@@ -113,7 +115,7 @@ TEST(KeptLink, tellsOfTheRobotThatItHasLostInMotion) {
   rig.pass(10s);
   rig.open();
   EXPECT_EQ(rig.latest().link, State::Ready);
-  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("the link to another:5890 was lost with a motion under way"));
+  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("the link to another:5890 was lost during a motion"));
   rig.submit(other);
   rig.open();
   EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr("was lost"))) << "whether it moves is seen again";
@@ -122,9 +124,7 @@ TEST(KeptLink, tellsOfTheRobotThatItHasLostInMotion) {
 TEST(KeptLink, comesBackWhenAConnectGoalForAnotherControllerFails) {
   Rig rig;
   rig.open();
-  ConnectGoal wrong = CoreRig::robot();
-  wrong.host = "wrong";
-  const GoalId goal = rig.submit(wrong);
+  const GoalId goal = rig.submit(robotAt("wrong"));
   for (int i = 0; i < 1000 && rig.outcome(goal) == nullptr; ++i) {
     rig.failOpen(link::OpenFailure::Kind::UnknownHost);
     rig.pass(1s);
@@ -152,8 +152,7 @@ TEST(KeptLink, tellsAConnectGoalThatTakesItOverWhenItWasMade) {
 TEST(KeptLink, givesWayToAConnectGoalForAnotherController) {
   Rig rig;
   rig.open();
-  ConnectGoal other = CoreRig::robot();
-  other.host = "another";
+  const ConnectGoal other = robotAt("another");
   const GoalId goal = rig.submit(other);
   ASSERT_TRUE(rig.pendingOpen(link::Channel::Script));
   EXPECT_EQ(rig.pendingOpen(link::Channel::Script)->host, "another");
@@ -165,14 +164,10 @@ TEST(KeptLink, givesWayToAConnectGoalForAnotherController) {
 TEST(KeptLink, isNotTakenAwayFromABlendedMotion) {
   Rig rig;
   rig.open();
-  MoveAbsoluteGoal blended = CoreRig::move();
-  blended.blending_enable = true;
-  blended.blending_value = 50;
-  const GoalId motion = rig.submit(blended);
+  const GoalId motion = rig.submit(CoreRig::blended(50));
   rig.reply(rig.takeScript().id);
   ASSERT_NE(rig.outcome(motion), nullptr);
-  ConnectGoal other = CoreRig::robot();
-  other.host = "another";
+  const ConnectGoal other = robotAt("another");
   const GoalId refused = rig.submit(other);
   ASSERT_NE(rig.outcome(refused), nullptr);
   EXPECT_EQ(rig.outcome(refused)->error_id, own_error::kConnectBusy);
@@ -190,8 +185,7 @@ TEST(KeptLink, isNotTakenAwayFromACommandThatIsUnderWay) {
   rig.open();
   rig.submit(CoreRig::move());
   rig.discardSent();
-  ConnectGoal other = CoreRig::robot();
-  other.host = "another";
+  const ConnectGoal other = robotAt("another");
   const GoalId goal = rig.submit(other);
   EXPECT_EQ(rig.outcome(goal)->error_id, own_error::kConnectBusy);
   EXPECT_THAT(rig.outcome(goal)->error_description, HasSubstr("used by move_absolute"));

@@ -77,9 +77,8 @@ TEST(MoveAbsolute, honoursTheCommandIdAsTag) {
 TEST(MoveAbsolute, acknowledgesTheCommandIdOfABlendedMotionToo) {
   CoreRig rig;
   rig.connect();
-  MoveAbsoluteGoal goal = CoreRig::move();
+  MoveAbsoluteGoal goal = CoreRig::blended();
   goal.command_id = 7;
-  goal.blending_enable = true;
   const GoalId id = rig.submit(goal);
   rig.reply(rig.takeScript().id);
   ASSERT_NE(rig.outcome(id), nullptr);
@@ -191,10 +190,7 @@ TEST(MoveAbsolute, leavesTheListenNodeWhenAskedTo) {
 TEST(MoveAbsolute, letsTheNextOneFollowABlendedOneAtOnce) {
   CoreRig rig;
   rig.connect();
-  MoveAbsoluteGoal blended = CoreRig::move();
-  blended.blending_enable = true;
-  blended.blending_value = 50;
-  const GoalId first = rig.submit(blended);
+  const GoalId first = rig.submit(CoreRig::blended(50));
   rig.reply(rig.takeScript().id);
   const GoalId second = rig.submit(CoreRig::move());
   const auto script = rig.takeScript();
@@ -218,7 +214,7 @@ TEST(MoveAbsolute, tracesEveryFrameWithItsMeaning) {
   EXPECT_THAT(rig.traces[0].bytes, HasSubstr("PTP("));
   EXPECT_FALSE(rig.traces[1].sent);
   EXPECT_THAT(rig.traces[1].meaning, HasSubstr(script.id));
-  EXPECT_THAT(rig.traces[2].meaning, HasSubstr("nobody waits for it"));
+  EXPECT_THAT(rig.traces[2].meaning, HasSubstr("no request waits for it"));
 }
 
 }  // namespace

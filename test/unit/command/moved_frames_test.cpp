@@ -28,9 +28,8 @@ StatusFrames standing() {
 }
 
 MoveAbsoluteGoal toTheTable() {
-  MoveAbsoluteGoal goal = CoreRig::move();
+  MoveAbsoluteGoal goal = CoreRig::move(BufferMode::Buffered);
   goal.target_pose = onTheTable();
-  goal.buffer_mode = static_cast<int>(BufferMode::Buffered);
   return goal;
 }
 
@@ -126,7 +125,7 @@ TEST_F(MovedFrames, refuseAGoalWhoseFrameIsNotKnownAnyMore) {
   const Outcome outcome = afterWaiting(toTheTable(), [this] { rig.frames.clear(); });
   EXPECT_EQ(outcome.ending, Ending::Rejected);
   EXPECT_EQ(outcome.error_id, own_error::kFrameUnknown);
-  EXPECT_THAT(outcome.error_description, HasSubstr("\"table\", which is not known any more"));
+  EXPECT_THAT(outcome.error_description, HasSubstr("\"table\", which is no longer known"));
 }
 
 TEST_F(MovedFrames, doNotMatterToAGoalThatAsksForATime) {
@@ -171,9 +170,7 @@ TEST_F(MovedFrames, refuseACircleAndAChangeOfBaseByTheFieldThatIsMeant) {
 TEST_F(MovedFrames, takeWithThemWhatWaitsBehind) {
   startMotion();
   rig.submit(toTheTable());
-  MoveAbsoluteGoal next = CoreRig::move();
-  next.buffer_mode = static_cast<int>(BufferMode::Buffered);
-  const GoalId behind = rig.submit(next);
+  const GoalId behind = rig.submit(CoreRig::move(BufferMode::Buffered));
   pushTable(0.1);
   finishMotion();
   ASSERT_NE(rig.outcome(behind), nullptr);

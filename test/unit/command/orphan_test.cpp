@@ -13,7 +13,7 @@ using namespace command;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr const char* kWords = "no goal of this layer asked for it";
+constexpr const char* kWords = "no goal of this layer requested it";
 
 link::LinkSettings leaveIt() {
   link::LinkSettings settings;
@@ -28,12 +28,6 @@ GoalId connectTo(CoreRig& rig, const std::vector<protocol::StatusItem>& first_fr
   rig.open(link::Channel::Status);
   rig.status(first_frame);
   return id;
-}
-
-MoveAbsoluteGoal moveWith(BufferMode mode) {
-  MoveAbsoluteGoal goal = CoreRig::move();
-  goal.buffer_mode = static_cast<int>(mode);
-  return goal;
 }
 
 TEST(OrphanedMotion, isToldAndStoppedWhenTheLinkIsMade) {
@@ -89,7 +83,7 @@ TEST(OrphanedMotion, isLeftAloneOnRequestAndThenHoldsBackWhatWouldQueueBehindIt)
   const GoalId refused = rig.submit(CoreRig::move());
   ASSERT_NE(rig.outcome(refused), nullptr);
   EXPECT_EQ(rig.outcome(refused)->error_id, own_error::kOrphanMoves);
-  const GoalId waiting = rig.submit(moveWith(BufferMode::Buffered));
+  const GoalId waiting = rig.submit(CoreRig::move(BufferMode::Buffered));
   EXPECT_TRUE(rig.nothingSent());
   EXPECT_THAT(rig.progress(waiting).back().text, HasSubstr(kWords));
   rig.status(StatusFrames());
@@ -99,7 +93,7 @@ TEST(OrphanedMotion, isLeftAloneOnRequestAndThenHoldsBackWhatWouldQueueBehindIt)
 TEST(OrphanedMotion, isTakenOverWithAStop) {
   CoreRig rig(std::nullopt, leaveIt());
   connectTo(rig, StatusFrames().moving());
-  const GoalId goal = rig.submit(moveWith(BufferMode::Aborting));
+  const GoalId goal = rig.submit(CoreRig::move(BufferMode::Aborting));
   const auto stop = rig.takeScript();
   EXPECT_EQ(stop.script, "StopAndClearBuffer()");
   rig.reply(stop.id);
@@ -112,7 +106,7 @@ TEST(OrphanedMotion, isTakenOverWithAStop) {
 TEST(OrphanedMotion, holdsEverythingBackUntilTheRobotIsSeenToStandAlsoWhenTheStreamIsLost) {
   CoreRig rig(std::nullopt, leaveIt());
   connectTo(rig, StatusFrames().moving());
-  rig.submit(moveWith(BufferMode::Buffered));
+  rig.submit(CoreRig::move(BufferMode::Buffered));
   rig.close("reset", link::Channel::Status);
   EXPECT_TRUE(rig.nothingSent());
   EXPECT_THAT(rig.latest().diagnosis, HasSubstr("moved when it was last seen"));
@@ -174,10 +168,10 @@ TEST(OrphanedMotion, isNoneWhenTheFlowWasElsewhereFirst) {
 TEST(HeldFromBefore, isStoppedWhenTheLinkIsMade) {
   CoreRig rig(std::nullopt, link::LinkSettings{});
   connectTo(rig, StatusFrames().paused());
-  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("what was queued before this connection may go on"));
+  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("motions queued before this connection may continue"));
   const auto stop = rig.takeScript();
   EXPECT_EQ(stop.script, "StopAndClearBuffer()");
-  const GoalId goal = rig.submit(moveWith(BufferMode::Buffered));
+  const GoalId goal = rig.submit(CoreRig::move(BufferMode::Buffered));
   EXPECT_TRUE(rig.nothingSent());
   rig.reply(stop.id);
   rig.stream(StatusFrames().paused());
@@ -192,7 +186,7 @@ TEST(HeldFromBefore, isLeftAndNothingQueuesBehindItUnseen) {
   const GoalId refused = rig.submit(CoreRig::move());
   ASSERT_NE(rig.outcome(refused), nullptr);
   EXPECT_EQ(rig.outcome(refused)->error_id, own_error::kOrphanMoves);
-  const GoalId waits = rig.submit(moveWith(BufferMode::Buffered));
+  const GoalId waits = rig.submit(CoreRig::move(BufferMode::Buffered));
   EXPECT_TRUE(rig.nothingSent());
   EXPECT_EQ(rig.outcome(waits), nullptr);
   rig.stream(StatusFrames().moving());
@@ -204,7 +198,7 @@ TEST(HeldFromBefore, isLeftAndNothingQueuesBehindItUnseen) {
 TEST(HeldFromBefore, isStoppedByATakeOver) {
   CoreRig rig(std::nullopt, leaveIt());
   connectTo(rig, StatusFrames().paused());
-  rig.submit(moveWith(BufferMode::Aborting));
+  rig.submit(CoreRig::move(BufferMode::Aborting));
   const auto stop = rig.takeScript();
   EXPECT_EQ(stop.script, "StopAndClearBuffer()");
   rig.reply(stop.id);

@@ -11,12 +11,6 @@ namespace {
 using namespace blocks;
 using namespace command;
 
-MoveAbsoluteGoal buffered() {
-  MoveAbsoluteGoal goal = CoreRig::move();
-  goal.buffer_mode = static_cast<int>(BufferMode::Buffered);
-  return goal;
-}
-
 /// A motion of the block executes: that is what its outputs tell, whatever other goals of it come and go.
 class OutputsOfAMotion : public ::testing::Test {
  protected:
@@ -43,7 +37,7 @@ class OutputsOfAMotion : public ::testing::Test {
 };
 
 TEST_F(OutputsOfAMotion, stayBesideACheck) {
-  MoveAbsoluteGoal check = buffered();
+  MoveAbsoluteGoal check = CoreRig::move(BufferMode::Buffered);
   check.check_only = true;
   const GoalId goal = rig.submit(check);
   ASSERT_NE(rig.outcome(goal), nullptr);
@@ -52,8 +46,8 @@ TEST_F(OutputsOfAMotion, stayBesideACheck) {
 }
 
 TEST_F(OutputsOfAMotion, stayBesideACancelOfOneThatWaits) {
-  const GoalId first = rig.submit(buffered());
-  const GoalId second = rig.submit(buffered());
+  const GoalId first = rig.submit(CoreRig::move(BufferMode::Buffered));
+  const GoalId second = rig.submit(CoreRig::move(BufferMode::Buffered));
   rig.cancel(second);
   expectItsOutputs();
   rig.cancel(first);
@@ -61,7 +55,7 @@ TEST_F(OutputsOfAMotion, stayBesideACancelOfOneThatWaits) {
 }
 
 TEST_F(OutputsOfAMotion, areThoseOfTheNextOneWhenThatBegins) {
-  const GoalId next = rig.submit(buffered());
+  const GoalId next = rig.submit(CoreRig::move(BufferMode::Buffered));
   rig.tag(7);
   rig.status(StatusFrames());
   ASSERT_NE(rig.outcome(motion), nullptr);

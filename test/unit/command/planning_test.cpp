@@ -2,6 +2,7 @@
 
 #include "block_goals.h"
 #include "core_rig.h"
+#include "motion_goals.h"
 #include "status_frames.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,14 +21,6 @@ namespace item = protocol::item;
 
 arm::ArmModel model() {
   return *arm::ArmModel::named("tm5-900");
-}
-
-MoveAbsoluteGoal toJoints(const std::array<double, 6>& joints_deg, double speed = 50) {
-  MoveAbsoluteGoal goal = CoreRig::move();
-  goal.data_format = static_cast<int>(AbsoluteFormat::Jpp);
-  goal.target = joints_deg;
-  goal.speed = speed;
-  return goal;
 }
 
 /// How long a PTP takes from one posture to another, by the planner itself.
@@ -54,7 +47,7 @@ class Planning : public ::testing::Test {
 
 TEST_F(Planning, tellsThePlannedDurationAndTheActualOneAndWhereTheRobotStands) {
   rig.status(StatusFrames());
-  const GoalId goal = rig.submit(toJoints(kAside));
+  const GoalId goal = rig.submit(moveJoints(kAside));
   EXPECT_EQ(rig.progress(goal).back().planned, ptpTime(kHome, kAside));
   rig.reply(rig.takeScript().id);
   rig.pass(900ms);
@@ -84,7 +77,8 @@ TEST_F(Planning, warnsOfAToolThatTheArmCannotCarry) {
   tool.weight = 4.5;
   const GoalId goal = rig.submit(tool);
   rig.reply(rig.takeScript().id);
-  EXPECT_THAT(rig.warnings, ::testing::ElementsAre(::testing::HasSubstr("4.5 kg, tm5-900 carries 4 kg")));
+  EXPECT_THAT(rig.warnings,
+              ::testing::ElementsAre(::testing::HasSubstr("4.5 kg, the payload of tm5-900 is 4 kg")));
   EXPECT_EQ(rig.outcome(goal)->ending, Ending::Done);
 }
 
@@ -102,9 +96,9 @@ TEST_F(Planning, namesTheToolThatIsTooHeavyInTheErrorOfTheMotionAndHowToGetOut) 
   const auto isExplained = [&](GoalId goal) {
     ASSERT_NE(rig.outcome(goal), nullptr);
     EXPECT_EQ(rig.outcome(goal)->error_id, own_error::kRobotError);
-    EXPECT_THAT(
-        rig.outcome(goal)->error_description,
-        AllOf(HasSubstr("error 0x22"), HasSubstr("the active tool has 4.5 kg, tm5-900 carries 4 kg")));
+    EXPECT_THAT(rig.outcome(goal)->error_description,
+                AllOf(HasSubstr("error 0x22"),
+                      HasSubstr("the active tool has 4.5 kg, the payload of tm5-900 is 4 kg")));
     EXPECT_THAT(rig.outcome(goal)->remedy,
                 AllOf(HasSubstr("Execute stop, then change_tcp"), HasSubstr("4 kg")));
   };
@@ -117,7 +111,7 @@ TEST_F(Planning, namesTheToolThatIsTooHeavyInTheErrorOfTheMotionAndHowToGetOut) 
     EXPECT_EQ(rig.outcome(stop)->ending, Ending::Done);
   };
   changeTo(4.5);
-  const GoalId first = rig.submit(toJoints(kAside));
+  const GoalId first = rig.submit(moveJoints(kAside));
   rig.reply(rig.takeScript().id);
   rig.status(StatusFrames().error(0x22, "OVERLOAD"));
   isExplained(first);
@@ -125,12 +119,12 @@ TEST_F(Planning, namesTheToolThatIsTooHeavyInTheErrorOfTheMotionAndHowToGetOut) 
   rig.status(StatusFrames());
   rig.status(StatusFrames().error(0x22, "OVERLOAD"));
   EXPECT_THAT(rig.latest().diagnosis, HasSubstr("the active tool has 4.5 kg"));
-  isExplained(rig.submit(toJoints(kAside)));
+  isExplained(rig.submit(moveJoints(kAside)));
   acknowledge();
   changeTo(4);
   rig.status(StatusFrames());
   rig.status(StatusFrames().error(0x23, "another"));
-  const GoalId lighter = rig.submit(toJoints(kAside));
+  const GoalId lighter = rig.submit(moveJoints(kAside));
   ASSERT_NE(rig.outcome(lighter), nullptr);
   EXPECT_THAT(rig.outcome(lighter)->error_description, ::testing::Not(HasSubstr("change_tcp")));
   EXPECT_THAT(rig.outcome(lighter)->remedy, ::testing::Not(HasSubstr("change_tcp")));
@@ -144,17 +138,17 @@ TEST_F(Planning, weighsTheToolOfTheStreamAndTheLoadOfAScript) {
   rig.submit(load);
   rig.reply(rig.takeScript().id);
   EXPECT_THAT(rig.warnings,
-              ::testing::ElementsAre(HasSubstr(
-                  "the active tool \"grip\" has 3 kg, its load (ChangeLoad) 1.5 kg, tm5-900 carries 4 kg")));
+              ::testing::ElementsAre(HasSubstr("the active tool \"grip\" has 3 kg, its load (ChangeLoad) 1.5 "
+                                               "kg, the payload of tm5-900 is 4 kg")));
   rig.status(StatusFrames().with(item::ofFloat("TCP_Mass", 2)).error(0x22, "OVERLOAD"));
-  EXPECT_THAT(rig.latest().diagnosis, ::testing::Not(HasSubstr("carries")));
+  EXPECT_THAT(rig.latest().diagnosis, ::testing::Not(HasSubstr("the payload of")));
   rig.status(StatusFrames().with(item::ofFloat("TCP_Mass", 5)).error(0x22, "OVERLOAD"));
   EXPECT_THAT(rig.latest().diagnosis, HasSubstr("the active tool has 5 kg, its load (ChangeLoad) 1.5 kg"));
 }
 
 TEST_F(Planning, countsTheProjectSpeed) {
   rig.status(StatusFrames().with(item::ofInt("Project_Speed", 50)));
-  const GoalId goal = rig.submit(toJoints(kAside));
+  const GoalId goal = rig.submit(moveJoints(kAside));
   EXPECT_EQ(rig.progress(goal).back().planned, ptpTime(kHome, kAside, 50, 0.5));
   rig.takeScript();
 }
@@ -165,7 +159,7 @@ TEST_F(Planning, isMadeAnewForTheProjectSpeedThatIsShownWhenTheMotionBegins) {
     return StatusFrames(frame).with(item::ofInt("Project_Speed", 10));
   };
   rig.status(StatusFrames());
-  const GoalId goal = rig.submit(toJoints(kAside));
+  const GoalId goal = rig.submit(moveJoints(kAside));
   const Instant sent = rig.now;
   rig.reply(rig.takeScript().id);
   rig.status(slowly(StatusFrames().moving()));
@@ -189,7 +183,7 @@ TEST_F(Planning, isMadeAnewForTheProjectSpeedThatIsShownWhenTheMotionBegins) {
 
 TEST_F(Planning, isNotMadeAnewForAProjectSpeedThatComesLater) {
   rig.status(StatusFrames());
-  const GoalId goal = rig.submit(toJoints(kAside));
+  const GoalId goal = rig.submit(moveJoints(kAside));
   rig.reply(rig.takeScript().id);
   rig.pass(100ms);
   rig.status(StatusFrames().moving());
@@ -205,13 +199,13 @@ TEST_F(Planning, isNotMadeAnewForAProjectSpeedThatComesLater) {
 
 TEST_F(Planning, startsAtTheEndOfWhatIsQueuedInFrontOfIt) {
   rig.status(StatusFrames());
-  MoveAbsoluteGoal blended = toJoints(kAside);
+  MoveAbsoluteGoal blended = moveJoints(kAside);
   blended.blending_enable = true;
   blended.blending_value = 0;
   rig.submit(blended);
   rig.reply(rig.takeScript().id);
   rig.now += 100ms;
-  const GoalId second = rig.submit(toJoints(kBack));
+  const GoalId second = rig.submit(moveJoints(kBack));
   EXPECT_EQ(rig.progress(second).back().planned, ptpTime(kAside, kBack));
   rig.reply(rig.takeScript().id);
   EXPECT_EQ(rig.progress(second).back().phase, Phase::Queued);
@@ -226,19 +220,19 @@ TEST_F(Planning, startsAtTheEndOfWhatIsQueuedInFrontOfIt) {
 
 TEST_F(Planning, countsTheBlendWithWhatIsQueuedInFrontOfIt) {
   rig.status(StatusFrames());
-  MoveAbsoluteGoal blended = toJoints(kAside);
+  MoveAbsoluteGoal blended = moveJoints(kAside);
   blended.blending_enable = true;
   blended.blending_value = 20;
   const GoalId first = rig.submit(blended);
   const script::ScriptCommand sent_first = commandOf(blended);
   rig.reply(rig.takeScript().id);
   rig.now += 100ms;
-  const GoalId second = rig.submit(toJoints(kBack));
+  const GoalId second = rig.submit(moveJoints(kBack));
   rig.reply(rig.takeScript().id);
 
   planning::ScriptPlanner planner(model(), arm::toJointVector(kHome), motion::Setting{});
   const Duration whole = planner.append(sent_first)->duration;
-  const auto step = planner.append(commandOf(toJoints(kBack)), 100ms);
+  const auto step = planner.append(commandOf(moveJoints(kBack)), 100ms);
   ASSERT_LT(step->start, whole) << "they overlap";
   EXPECT_EQ(rig.progress(first).back().planned, whole);
   EXPECT_EQ(rig.progress(second).back().planned, step->duration);
@@ -249,13 +243,13 @@ TEST_F(Planning, countsTheBlendWithWhatIsQueuedInFrontOfIt) {
 
 TEST_F(Planning, startsAtTheTargetJustReachedNotWhereTheStreamShowsIt) {
   rig.status(StatusFrames());
-  rig.submit(toJoints(kAside));
+  rig.submit(moveJoints(kAside));
   rig.reply(rig.takeScript().id);
   rig.status(StatusFrames().moving());
   rig.pass(10ms);
   rig.tag(1);
   rig.status(StatusFrames().at({59.95F, 0, 90, 0, 90, 0}));
-  const GoalId second = rig.submit(toJoints(kBack));
+  const GoalId second = rig.submit(moveJoints(kBack));
   EXPECT_EQ(rig.progress(second).back().planned, ptpTime(kAside, kBack));
   EXPECT_EQ(rig.progress(second).back().phase, Phase::Sent);
   rig.takeScript();
@@ -263,7 +257,7 @@ TEST_F(Planning, startsAtTheTargetJustReachedNotWhereTheStreamShowsIt) {
 
 TEST_F(Planning, startsWhereTheRobotStandsOnceTheQueueIsDone) {
   rig.status(StatusFrames());
-  MoveAbsoluteGoal blended = toJoints(kAside);
+  MoveAbsoluteGoal blended = moveJoints(kAside);
   blended.blending_enable = true;
   rig.submit(blended);
   rig.reply(rig.takeScript().id);
@@ -271,7 +265,7 @@ TEST_F(Planning, startsWhereTheRobotStandsOnceTheQueueIsDone) {
     rig.pass(500ms);
     rig.status(StatusFrames().with(item::ofFloats("Joint_Angle", {-30, 10, 80, 0, 90, 0})));
   }
-  const GoalId second = rig.submit(toJoints(kHome));
+  const GoalId second = rig.submit(moveJoints(kHome));
   EXPECT_EQ(rig.progress(second).back().planned->count() / 1000000, ptpTime(kBack, kHome).count() / 1000000);
   rig.takeScript();
 }
@@ -279,7 +273,7 @@ TEST_F(Planning, startsWhereTheRobotStandsOnceTheQueueIsDone) {
 TEST_F(Planning, ofACycleFromNobodyKnowsWhereAsksForNothingThatACycleHasNot) {
   PickAndPlaceGoal goal;
   goal.check_only = true;
-  goal.steps.push_back({toJoints(kAside), std::nullopt, std::nullopt, 0});
+  goal.steps.push_back({moveJoints(kAside), std::nullopt, std::nullopt, 0});
   const GoalId id = rig.submit(goal);
   ASSERT_NE(rig.outcome(id), nullptr);
   EXPECT_EQ(rig.outcome(id)->error_id, own_error::kStartUnknown);
@@ -291,7 +285,7 @@ class PlanningBehindWhatWasCutShort : public Planning {
  protected:
   PlanningBehindWhatWasCutShort() {
     rig.status(StatusFrames());
-    MoveAbsoluteGoal far = toJoints({120, 0, 90, 0, 90, 0}, 5);
+    MoveAbsoluteGoal far = moveJoints({120, 0, 90, 0, 90, 0}, 5);
     far.blending_enable = true;
     far.blending_value = 50;
     rig.submit(far);
@@ -303,7 +297,7 @@ class PlanningBehindWhatWasCutShort : public Planning {
   }
   static StatusFrames standing() { return StatusFrames().at({8, 0, 90, 0, 90, 0}); }
   void expectStartHere() {
-    MoveAbsoluteGoal check = toJoints(kAside);
+    MoveAbsoluteGoal check = moveJoints(kAside);
     check.check_only = true;
     const GoalId goal = rig.submit(check);
     ASSERT_NE(rig.outcome(goal), nullptr);
@@ -330,15 +324,15 @@ TEST_F(PlanningBehindWhatWasCutShort, startsWhereTheRobotStandsForSomebodyElsesR
 }
 
 TEST_F(Planning, isLeftOutWithoutAStatusStreamAndWhileTheRobotMovesFromNobodyKnowsWhere) {
-  const GoalId outside = rig.submit(toJoints({0, 0, 170, 0, 90, 0}));
+  const GoalId outside = rig.submit(moveJoints({0, 0, 170, 0, 90, 0}));
   ASSERT_NE(rig.outcome(outside), nullptr) << "a joint target can be judged from anywhere";
   EXPECT_EQ(rig.outcome(outside)->error_id, own_error::kJointLimit);
-  const GoalId blind = rig.submit(toJoints(kAside));
+  const GoalId blind = rig.submit(moveJoints(kAside));
   EXPECT_EQ(rig.outcome(blind), nullptr) << "sent unplanned";
   EXPECT_FALSE(rig.progress(blind).back().planned);
   rig.reply(rig.takeScript().id, false);
   rig.status(StatusFrames().moving());
-  const GoalId jogged = rig.submit(toJoints(kAside));
+  const GoalId jogged = rig.submit(moveJoints(kAside));
   EXPECT_FALSE(rig.progress(jogged).back().planned);
   rig.takeScript();
 }
@@ -367,7 +361,7 @@ TEST_F(Planning, isLeftOutBehindAMotionThatCouldNotBePlanned) {
   RunScriptGoal raw;
   raw.script = "PTP(\"JPP\",60,0,90,0,90,0,speed_of_the_project,200,0,false)";
   rig.submit(raw);
-  MoveAbsoluteGoal next = toJoints(kBack);
+  MoveAbsoluteGoal next = moveJoints(kBack);
   next.buffer_mode = static_cast<int>(BufferMode::Buffered);
   const GoalId waits = rig.submit(next);
   rig.reply(rig.takeScript().id);
@@ -378,7 +372,7 @@ TEST_F(Planning, isLeftOutBehindAMotionThatCouldNotBePlanned) {
   rig.tag(1);
   rig.status(StatusFrames().at({-30, 10, 80, 0, 90, 0}));
   EXPECT_EQ(rig.outcome(waits)->ending, Ending::Done) << rig.outcome(waits)->error_description;
-  const GoalId known = rig.submit(toJoints(kHome));
+  const GoalId known = rig.submit(moveJoints(kHome));
   EXPECT_TRUE(rig.progress(known).back().planned);
   rig.takeScript();
 }
@@ -402,7 +396,7 @@ TEST_F(Planning, countsTheActiveBaseAndTheTcpThatFlangeAndToolTell) {
 
 TEST_F(Planning, givesAMotionOneAndAHalfTimesItsPlanAndTwoSeconds) {
   rig.status(StatusFrames());
-  rig.submit(toJoints(kAside));
+  rig.submit(moveJoints(kAside));
   rig.reply(rig.takeScript().id);
   const Duration limit = ptpTime(kHome, kAside) * 3 / 2 + Duration(2s);
   const Instant start = rig.now;

@@ -75,12 +75,6 @@ TEST_F(Refusal, ofASecondCommandWhileOneIsBusy) {
   EXPECT_EQ(rig.outcome(first)->ending, Ending::Done);
 }
 
-TEST_F(Refusal, ofMotionsOutsideTheListenNode) {
-  rig.listening = false;
-  rig.pass(1s);
-  EXPECT_EQ(errorOf(rig, CoreRig::move()), own_error::kNotListening);
-}
-
 TEST(RefusalUnconnected, ofMotionsBeforeAndDuringConnect) {
   CoreRig rig;
   EXPECT_EQ(errorOf(rig, CoreRig::move()), motion_error::kNotConnected);
@@ -133,17 +127,6 @@ TEST(RefusalOfConnect, ofASecondConnect) {
   EXPECT_EQ(rig.outcome(second)->error_id, own_error::kConnectBusy);
   EXPECT_TRUE(rig.outputs(kBlock<ConnectGoal>).busy);
   EXPECT_EQ(rig.outcome(first), nullptr);
-}
-
-TEST(RefusalAfterShutDown, ofEverything) {
-  CoreRig rig;
-  rig.shutDown();
-  for (const Goal& goal : {Goal(CoreRig::robot()), Goal(CoreRig::move())}) {
-    const GoalId id = rig.submit(goal);
-    ASSERT_NE(rig.outcome(id), nullptr);
-    EXPECT_EQ(rig.outcome(id)->ending, Ending::Rejected);
-    EXPECT_EQ(rig.outcome(id)->error_id, own_error::kShutDown);
-  }
 }
 
 }  // namespace

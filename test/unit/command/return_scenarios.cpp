@@ -117,7 +117,6 @@ Scenarios returnScenarios() {
   all.merge(motionScenarios(goal));
   Scenarios turn = turnScenarios(goal);
   turn.erase(row(own_error::kQueueFull));  // it does not wait
-  turn.erase(row(own_error::kBufferModeUnknown));
   all.merge(turn);
   return all;
 }

@@ -30,12 +30,7 @@ class RunProgramTest : public ::testing::Test {
     rig.tag(rig.latest().open_tags.at(0));
     rig.stream(StatusFrames());
   }
-  void passStreaming(Duration duration) {
-    for (Duration passed{}; passed < duration; passed += 500ms) {
-      rig.pass(500ms);
-      rig.status(StatusFrames());
-    }
-  }
+  void passStreaming(Duration duration) { rig.streamFor(duration, StatusFrames(), 500ms); }
   ProgramReport report(GoalId goal) { return rig.outcome(goal)->detail.as<ProgramReport>(); }
 
   CoreRig rig;

@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#ifdef COBOT_HAS_RAPIDCHECK
 #include <rapidcheck/gtest.h>
+#endif
 
 #include "cobot_command/blocks/run_script.h"
 #include "cobot_command/blocks/shared/error_ids.h"
@@ -83,6 +85,7 @@ TEST(ScriptEnd, isRefusedBehindATextOrABracketThatIsNotClosed) {
   EXPECT_EQ(faultOf("s = \"(\" // ("), "");
 }
 
+#ifdef COBOT_HAS_RAPIDCHECK
 rc::Gen<std::string> anyScript() {
   const auto piece = rc::gen::element<std::string>(
       "/*", "/* b() */", "(1)", "{2}", "\"c\"", "*/", "//", "\"", "\"\"", "(", ")", "{", "}", "[", "]", "\n",
@@ -97,6 +100,7 @@ RC_GTEST_PROP(ScriptEnd, isSeenByTheReaderOfEachScriptThatIsTaken, ()) {
   RC_CLASSIFY(is_taken);
   RC_ASSERT(!is_taken || endsWithItsTag(goal));
 }
+#endif
 
 TEST(ScriptEnd, isMissedByTheReaderOfAScriptThatLeavesACommentOpen) {
   EXPECT_TRUE(endsWithItsTag(script("a()")));

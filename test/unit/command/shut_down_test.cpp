@@ -1,11 +1,10 @@
 // The end of the layer: every open goal ends as CommandAborted, whatever it is and however far it came.
 
 #include "block_goals.h"
+#include "catalogue_scenarios.h"
 #include "core_rig.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "cobot_command/common/overloaded.h"
 
 namespace cobot_command::testing {
 namespace {
@@ -24,15 +23,6 @@ std::vector<Goal> commands() {
 /// What may only take motion away from the robot.
 bool halts(const Goal& goal) {
   return std::holds_alternative<StopGoal>(goal) || std::holds_alternative<ProgramControlGoal>(goal);
-}
-
-Goal buffered(Goal goal) {
-  std::visit(Overloaded{[](ConnectGoal&) {}, [](ProgramControlGoal&) {}, [](StopGoal&) {},
-                        [](CheckSequenceGoal&) {}, [](ExchangeConfigurationGoal&) {}, [](JogGoal&) {},
-                        [](ReturnToPrimaryGoal&) {}, [](RunProgramGoal&) {},
-                        [](auto& command) { command.buffer_mode = static_cast<int>(BufferMode::Buffered); }},
-             goal);
-  return goal;
 }
 
 void expectAborted(const CoreRig& rig, GoalId id, std::size_t kind) {
@@ -66,7 +56,7 @@ TEST(ShutDown, endsACommandOfEveryKindThatWaits) {
     rig.connect();
     const GoalId running = rig.submit(CoreRig::move());
     rig.reply(rig.takeScript().id);
-    const GoalId id = rig.submit(buffered(goal));
+    const GoalId id = rig.submit(inMode(BufferMode::Buffered, goal));
     ASSERT_EQ(rig.outcome(id), nullptr);
     rig.shutDown();
     expectAborted(rig, id, goal.index());
@@ -146,9 +136,7 @@ TEST(ShutDown, findsNoCheckOpen) {
 TEST(ShutDown, stopsABlendedMotionThatIsDoneForItsGoal) {
   CoreRig rig;
   rig.connect();
-  MoveAbsoluteGoal blended = CoreRig::move();
-  blended.blending_enable = true;
-  rig.submit(blended);
+  rig.submit(CoreRig::blended());
   rig.reply(rig.takeScript().id);
   rig.core.shutDown(rig.now);
   bool stopped = false;
@@ -201,9 +189,7 @@ TEST(Retirement, endsACycleWhoseRobotStands) {
 TEST(Retirement, stopsABlendedMotionThatIsDoneForItsGoal) {
   CoreRig rig;
   rig.connect();
-  MoveAbsoluteGoal blended = CoreRig::move();
-  blended.blending_enable = true;
-  rig.submit(blended);
+  rig.submit(CoreRig::blended());
   rig.reply(rig.takeScript().id);
   retire(rig);
   EXPECT_FALSE(rig.core.retired());
@@ -216,7 +202,7 @@ TEST(Retirement, takesNothingMoreAndEndsWhatWaits) {
   rig.connect();
   rig.submit(CoreRig::move());
   rig.reply(rig.takeScript().id);
-  const GoalId waiting = rig.submit(buffered(CoreRig::move()));
+  const GoalId waiting = rig.submit(CoreRig::move(BufferMode::Buffered));
   retire(rig);
   expectAborted(rig, waiting, static_cast<std::size_t>(kBlock<MoveAbsoluteGoal>));
   rig.takeScript();  // its stop

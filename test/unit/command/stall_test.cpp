@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core_rig.h"
+#include "motion_goals.h"
 #include "status_frames.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,11 +26,7 @@ StatusFrames passing(float j1) {
 }
 
 MoveAbsoluteGoal toJoints(double j1) {
-  MoveAbsoluteGoal goal = CoreRig::move();
-  goal.data_format = static_cast<int>(AbsoluteFormat::Jpp);
-  goal.target = {j1, 0, 90, 0, 90, 0};
-  goal.speed = 5;
-  return goal;
+  return moveJoints({j1, 0, 90, 0, 90, 0}, 5);
 }
 
 class Stall : public ::testing::Test {
@@ -46,10 +43,7 @@ class Stall : public ::testing::Test {
     return id;
   }
   void stream(Duration duration, const StatusFrames& frame, Duration period = 15ms) {
-    for (Duration t{}; t < duration; t += period) {
-      rig.pass(period);
-      rig.status(frame);
-    }
+    rig.streamFor(duration, frame, period);
   }
   /// It stands where it is, until it is asked for; within `patience`.
   void expectQuestion(Duration patience = 600ms) {
@@ -69,7 +63,7 @@ TEST_F(Stall, isAnErrorOnceTheControllerHasDroppedTheTag) {
   EXPECT_EQ(rig.outcome(id)->ending, Ending::Aborted);
   EXPECT_EQ(rig.outcome(id)->error_id, own_error::kStoppedElsewhere);
   EXPECT_THAT(rig.outcome(id)->error_description,
-              AllOf(HasSubstr("J1 is 40.00 deg from its target"), HasSubstr("does not know tag 1 any more"),
+              AllOf(HasSubstr("J1 is 40.00 deg from its target"), HasSubstr("no longer knows tag 1"),
                     HasSubstr("another client")));
   EXPECT_THAT(rig.outcome(id)->remedy, HasSubstr("~stop_orphaned_motion"));
   expectStop();

@@ -3,6 +3,7 @@
 
 #include "block_goals.h"
 #include "core_rig.h"
+#include "motion_goals.h"
 #include "status_frames.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,10 +19,7 @@ using ::testing::Not;
 constexpr const char* kNoEffect = "nothing shows that the stop took effect";
 
 MoveAbsoluteGoal toJoints(const std::array<double, 6>& joints_deg) {
-  MoveAbsoluteGoal goal = CoreRig::move();
-  goal.data_format = static_cast<int>(AbsoluteFormat::Jpp);
-  goal.target = joints_deg;
-  return goal;
+  return moveJoints(joints_deg, 10);
 }
 
 /// A robot in motion to J1 = 60 degrees, whose stop was accepted.

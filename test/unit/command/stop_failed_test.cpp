@@ -19,18 +19,6 @@ using ::testing::Not;
 
 constexpr const char* kWords = "the robot may still move";
 
-MoveAbsoluteGoal blended() {
-  MoveAbsoluteGoal goal = CoreRig::move();
-  goal.blending_enable = true;
-  return goal;
-}
-
-MoveAbsoluteGoal moveWith(BufferMode mode) {
-  MoveAbsoluteGoal goal = CoreRig::move();
-  goal.buffer_mode = static_cast<int>(mode);
-  return goal;
-}
-
 /// A blended motion, done for its goal, that a stop goal did not stop.
 struct LooseMotion : CoreRig {
   explicit LooseMotion(link::LinkSettings settings = noStatus()) : CoreRig(std::nullopt, settings) {
@@ -52,7 +40,7 @@ TEST(FailedStop, isFollowedByAnotherWhenThereIsReasonForOne) {
         rig.pump();
         EXPECT_FALSE(rig.core.retired());
       },
-      [](LooseMotion& rig) { rig.submit(moveWith(BufferMode::Aborting)); },
+      [](LooseMotion& rig) { rig.submit(CoreRig::move(BufferMode::Aborting)); },
       [](LooseMotion& rig) { rig.cancel(rig.connection); },
   };
   for (const auto& reason : kReasons) {
@@ -88,7 +76,7 @@ TEST(FailedStop, isToldUntilAStopIsConfirmed) {
 TEST(FailedStop, isToldAsAMotionThatTheLinkHasLeft) {
   LooseMotion rig;
   rig.close("gone");
-  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("was lost with a motion under way"));
+  EXPECT_THAT(rig.latest().diagnosis, HasSubstr("was lost during a motion"));
   rig.connect();
   EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr(kWords)));
 }
@@ -118,7 +106,7 @@ TEST(FailedStop, thatWasRefusedLeavesTheChangeOfBaseBehindTheMotion) {
   for (const bool refused : {true, false}) {
     CoreRig rig;
     rig.connect();
-    rig.submit(blended());
+    rig.submit(CoreRig::blended());
     rig.reply(rig.takeScript().id);
     rig.submit(good<ChangeBaseGoal>());
     rig.reply(rig.takeScript().id);
@@ -140,7 +128,7 @@ TEST(FailedStop, holdsBackTheNextCommandUntilTheRobotIsSeenToStand) {
     EXPECT_THAT(rig.outcome(refused)->error_description,
                 HasSubstr("the controller refused StopAndClearBuffer()"));
   }
-  const GoalId waiting = rig.submit(moveWith(BufferMode::Buffered));
+  const GoalId waiting = rig.submit(CoreRig::move(BufferMode::Buffered));
   EXPECT_TRUE(rig.nothingSent());
   EXPECT_THAT(rig.progress(waiting).back().text, HasSubstr(kWords));
   rig.pass(600ms);
@@ -170,7 +158,7 @@ TEST(FailedStop, thatWasAcceptedAndIgnoredHoldsBackTheNextCommandToo) {
 
 TEST(FailedStop, isTakenOverWithAStopThatIsConfirmed) {
   LooseMotion rig{link::LinkSettings{}};
-  const GoalId goal = rig.submit(moveWith(BufferMode::Aborting));
+  const GoalId goal = rig.submit(CoreRig::move(BufferMode::Aborting));
   const auto stop = rig.takeScript();
   EXPECT_EQ(stop.script, "StopAndClearBuffer()");
   EXPECT_TRUE(rig.nothingSent());

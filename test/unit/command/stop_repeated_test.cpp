@@ -129,12 +129,10 @@ TEST_F(RepeatedStop, keepsTheReasonOfTheFirst) {
 /// What goes out behind a stop could be taken for what is to be stopped.
 TEST_F(RepeatedStop, holdsBackTheNextCommandUntilTheLast) {
   const auto first = ask();
-  MoveAbsoluteGoal next = CoreRig::move();
-  next.buffer_mode = static_cast<int>(BufferMode::Buffered);
   rig.reply(first);
   rig.stream(StatusFrames(), 1);
   const auto second = ask();
-  rig.submit(next);
+  rig.submit(CoreRig::move(BufferMode::Buffered));
   rig.pass(CoreRig::kStreamPeriod);
   rig.stream(StatusFrames(), 1);
   expectEnd(goals[0], Ending::Done);
@@ -191,7 +189,7 @@ TEST_F(RepeatedStop, withoutAStreamIsDoneOnceNoneIsOpenThatHadToBeSeen) {
   expectEnd(goals[0], Ending::Aborted);
   rig.reply(ask());
   expectEnd(goals[1], Ending::Done);
-  EXPECT_THAT(rig.outcome(goals[1])->error_description, HasSubstr("no status stream tells"));
+  EXPECT_THAT(rig.outcome(goals[1])->error_description, HasSubstr("no status stream shows"));
   EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr("the robot may still move")));
 }
 

@@ -14,19 +14,14 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 constexpr const char* kClient = "another client commands this controller";
-constexpr const char* kMoved = "nothing of this layer is under way";
+constexpr const char* kMoved = "no command of this node is running";
 
 struct Rig : CoreRig {
   Rig() : CoreRig(std::nullopt, link::LinkSettings{}) {
     connect();
     status(StatusFrames());
   }
-  void stream(Duration duration, const StatusFrames& frame) {
-    for (Duration t{}; t < duration; t += 100ms) {
-      pass(100ms);
-      status(frame);
-    }
-  }
+  void stream(Duration duration, const StatusFrames& frame) { streamFor(duration, frame, 100ms); }
 };
 
 TEST(Stranger, isNoticedByATagThatWasNotGivenOutHere) {
@@ -81,9 +76,7 @@ TEST(Stranger, isNoneWhileAndJustAfterOurOwnMotion) {
 
 TEST(Stranger, isNoneWhileBlendedMotionsThatAreDoneForTheirGoalsStillMove) {
   Rig rig;
-  MoveAbsoluteGoal blended = CoreRig::move();
-  blended.blending_enable = true;
-  rig.submit(blended);
+  rig.submit(CoreRig::blended());
   rig.reply(rig.takeScript().id);
   rig.stream(3s, StatusFrames().moving());
   EXPECT_THAT(rig.latest().diagnosis, Not(HasSubstr(kMoved)));

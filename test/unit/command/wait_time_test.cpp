@@ -22,8 +22,7 @@ struct WaitTimeBlock : ::testing::Test, CoreRig {
   }
   GoalId wait(double time, int buffer_mode = 0) { return submit(WaitTimeGoal{time, buffer_mode}); }
   GoalId move(bool is_blended = false) {
-    MoveAbsoluteGoal move = CoreRig::move();
-    move.buffer_mode = kBuffered;
+    MoveAbsoluteGoal move = CoreRig::move(BufferMode::Buffered);
     move.blending_enable = is_blended;
     return submit(move);
   }
@@ -115,7 +114,7 @@ TEST_F(WaitTimeBlock, beginsWhenTheBlendedMotionInFrontOfItHasComeToItsEnd) {
   expectEnd(before, Ending::Done);
   stream(StatusFrames().moving());
   const GoalId id = wait(1, kBuffered);
-  EXPECT_THAT(progress(id).back().text, HasSubstr("until the robot stands"));
+  EXPECT_THAT(progress(id).back().text, HasSubstr("until the robot is at standstill"));
   reply(takeScript().id);
   for (int i = 0; i < 20; ++i) {
     pass(100ms);
@@ -226,7 +225,7 @@ TEST_F(WaitTimeBlock, hasItsTimeHeldByAPause) {
   status(StatusFrames().paused());
   EXPECT_EQ(progress(id).back().phase, Phase::Held);
   EXPECT_EQ(progress(id).back().remaining, 600ms);
-  EXPECT_THAT(progress(id).back().text, HasSubstr("stands still"));
+  EXPECT_THAT(progress(id).back().text, HasSubstr("does not run"));
   pass(500ms);
   status(StatusFrames());
   EXPECT_EQ(progress(id).back().phase, Phase::Active);

@@ -4,11 +4,14 @@
 
 #include "foreign_bytes.h"
 #include <gmock/gmock.h>
+#ifdef COBOT_HAS_RAPIDCHECK
 #include <rapidcheck/gtest.h>
+#endif
 
 namespace cobot_command {
 namespace {
 
+#ifdef COBOT_HAS_RAPIDCHECK
 using Bytes = std::string;
 
 rc::Gen<Bytes> anyBytes() {
@@ -63,6 +66,7 @@ RC_GTEST_PROP(ForPeopleProperty, isWhatIsEscaped, ()) {
   const Bytes bytes = *anyBytes();
   RC_ASSERT(forPeople(bytes) == escaped(bytes));
 }
+#endif
 
 TEST(ForPeople, doesNoHarmWhateverTheBytesAre) {
   for (const std::string& bytes : test_support::foreignTexts()) {

@@ -52,7 +52,7 @@ TEST(StepsFile, saysThatFormatsOfTheToolHaveNoPlaceInIt) {
       "steps.yaml");
   ASSERT_FALSE(steps);
   EXPECT_EQ(steps.error().finding.found, "is TPP, which is relative to the tool");
-  EXPECT_THAT(steps.error().finding.advice, HasSubstr("have no place in this file"));
+  EXPECT_THAT(steps.error().finding.advice, HasSubstr("this file cannot contain moves relative to the tool"));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ FileFault faultIn(const std::string& text) {
 
 TEST(YamlMap, namesBothLinesOfAKeyThatStandsTwice) {
   const FileFault fault = faultIn("speed: 1\ntime: 2\nspeed: 3\n");
-  EXPECT_EQ(describe(fault), "a.yaml:3: speed stands twice in the file, before in line 1");
+  EXPECT_EQ(describe(fault), "a.yaml:3: speed is twice in the file, first in line 1");
   EXPECT_EQ(fault.finding.field, "speed");
 }
 
@@ -78,7 +78,7 @@ TEST(YamlMap, ofNamesIsRefusedWhereOneStandsTwice) {
   });
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().line, 3);
-  EXPECT_THAT(read.error().finding.found, HasSubstr("twice in stations, before in line 1"));
+  EXPECT_THAT(read.error().finding.found, HasSubstr("twice in stations, first in line 1"));
 }
 
 }  // namespace

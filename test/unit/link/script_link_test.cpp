@@ -125,11 +125,11 @@ TEST_F(ScriptLinkTest, saysWhatComesInPlaceOfAnAnswer) {
   bringTo(State::Probing);
   say(CommunicationError{CommunicationErrorCode::Data});
   advanceToDeadline();
-  EXPECT_THAT(link.diagnosis(), HasSubstr("all that comes is CPERR (controller: data error)"));
+  EXPECT_THAT(link.diagnosis(), HasSubstr("received: CPERR (controller: data error)"));
   EXPECT_EQ(link.trouble(), Trouble::OtherAnswers);
   say(protocol::TagReport{3, protocol::TagState::Complete});
   advanceToDeadline();
-  EXPECT_THAT(link.diagnosis(), HasSubstr("all that comes is TMSTA (tag 3 complete)"));
+  EXPECT_THAT(link.diagnosis(), HasSubstr("received: TMSTA (tag 3 complete)"));
   while (link.state() == State::Probing) advanceToDeadline();
   advanceToDeadline();
   link.opened(now);

@@ -203,7 +203,7 @@ TEST_F(StatusLinkTest, reopensAStreamThatFallsSilent) {
   now += settings.status_timeout;
   link.advance(now);
   EXPECT_FALSE(link.streaming());
-  EXPECT_THAT(link.diagnosis(), HasSubstr("silent"));
+  EXPECT_THAT(link.diagnosis(), HasSubstr("has stopped"));
   EXPECT_EQ(wire.closed.size(), 1u);
   EXPECT_EQ(link.nextDeadline(), now + settings.retry_min);
   now += settings.retry_min;
@@ -263,10 +263,10 @@ TEST_F(StatusLinkTest, namesAPeerThatSendsNoStatusStream) {
     const char* words;
   } kRows[] = {
       {"", "sends nothing"},
-      {"SSH-2.0-OpenSSH_9.2p1\r\n", "no status stream of a TM robot"},
+      {"SSH-2.0-OpenSSH_9.2p1\r\n", "not the status stream of a TM robot"},
       {"$TMSCT,9,0,Listen1,*4C\r\n", "is the script port"},
       {"$CPERR,2,03,*4B\r\n", "is the script port"},
-      {"$TMSVR,3,0,1,*00\r\n", "no status stream of a TM robot"},
+      {"$TMSVR,3,0,1,*00\r\n", "not the status stream of a TM robot"},
   };
   for (const auto& row : kRows) {
     testing::RecordingWire fresh_wire;
@@ -296,7 +296,7 @@ TEST_F(StatusLinkTest, namesGarbageWithoutEndBehindAStream) {
     link.advance(now);
   }
   EXPECT_FALSE(link.streaming());
-  EXPECT_THAT(link.diagnosis(), HasSubstr("no frame of it"));
+  EXPECT_THAT(link.diagnosis(), HasSubstr("not its frames"));
 }
 
 TEST_F(StatusLinkTest, namesAStreamWhoseItemsCannotBeRead) {

@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::IsSubsetOf;
 
 std::string tableOfItems() {
-  std::string table = "| item | needed | where the data table does not have it |\n|---|---|---|\n";
+  std::string table = "| item | needed | consequence if it is missing |\n|---|---|---|\n";
   for (const StreamItem& item : streamItems()) {
     const char* needed = item.need == ItemNeed::Ready    ? "always, and to be ready"
                          : item.need == ItemNeed::Always ? "always"

@@ -80,7 +80,7 @@ TEST(HalfTurn, saysWhatTurnsByHowMuchAndWhatToDo) {
   const auto path = plan(model(), kStart, line(179.5), forecast());
   ASSERT_FALSE(path);
   EXPECT_THAT(path.error().message, HasSubstr("the line turns the TCP by 179.50 deg"));
-  EXPECT_THAT(path.error().message, HasSubstr("go by a point between"));
+  EXPECT_THAT(path.error().message, HasSubstr("add an intermediate point"));
   EXPECT_LT(distance(path.error().point, turned(179.5)), 1e-9);
   const auto ptp =
       plan(model(), kStart, Ptp{PoseTarget{turned(179.5), {}}, 0.5, milliseconds(200)}, forecast());

@@ -162,7 +162,7 @@ TEST(LineRefusal, namesTheSpeedThatWouldDoWhenAJointIsTooSlow) {
   ASSERT_EQ(refusal.reason, Reason::JointSpeed) << refusal.message;
   EXPECT_GE(refusal.joint, 0);
   std::smatch found;
-  ASSERT_TRUE(std::regex_search(refusal.message, found, std::regex("at most ([0-9.]+) % would do")))
+  ASSERT_TRUE(std::regex_search(refusal.message, found, std::regex("at most ([0-9.]+) % is possible")))
       << refusal.message;
   const double percent = std::stod(found[1]);
   EXPECT_LT(percent, 100.0);
@@ -171,7 +171,7 @@ TEST(LineRefusal, namesTheSpeedThatWouldDoWhenAJointIsTooSlow) {
             Reason::JointSpeed);
 
   const Refusal absolute = refused(plan(arm, start, line(TcpSpeed{1.3}), Setting{}));
-  EXPECT_THAT(absolute.message, HasSubstr("mm/s would do"));
+  EXPECT_THAT(absolute.message, HasSubstr("mm/s is possible"));
 }
 
 TEST(LineRefusal, namesTheSpeedThatWouldDoWhenItIsTheTurnThatIsTooFast) {
@@ -186,7 +186,7 @@ TEST(LineRefusal, namesTheSpeedThatWouldDoWhenItIsTheTurnThatIsTooFast) {
   const Refusal refusal = refused(plan(arm, start, line(0.005, 1.0), Setting{}));
   ASSERT_EQ(refusal.reason, Reason::JointSpeed) << refusal.message;
   std::smatch found;
-  ASSERT_TRUE(std::regex_search(refusal.message, found, std::regex("at most ([0-9.]+) mm/s would do")))
+  ASSERT_TRUE(std::regex_search(refusal.message, found, std::regex("at most ([0-9.]+) mm/s is possible")))
       << refusal.message;
   const double speed = std::stod(found[1]);
   EXPECT_LT(speed, 100.0);

@@ -101,7 +101,7 @@ TEST_F(PiecesOfPaths, thatAreTooLongNameThePointAndHowManyThereAre) {
   EXPECT_EQ(refused.error().error_id, 0x277);
   EXPECT_EQ(refused.error().index, 3);
   EXPECT_THAT(refused.error().found, HasSubstr(std::to_string(count) + " points, allowed " +
-                                               std::to_string(count - 1) + ": let the arm stop"));
+                                               std::to_string(count - 1) + ": stop the arm"));
   EXPECT_EQ(path::piecesOf(plan, scene, {milliseconds(25), 20}).error().index, 1);
 }
 

@@ -61,7 +61,7 @@ TEST_F(PathScripts, tellWhatNoMotionCanSay) {
   point.acceleration_jerk = 100;
   point.deceleration = 90;
   EXPECT_THAT(toldOf(point), ElementsAre("point 0: profile MOD_SINE with a jerk of 100 %",
-                                         "point 0: deceleration 90 beside acceleration 180"));
+                                         "point 0: deceleration 90 with acceleration 180"));
 }
 
 TEST_F(PathScripts, goByTheFeedrate) {
@@ -90,7 +90,7 @@ TEST_F(PathScripts, sayAToleranceOfAPtpInPercentOfTheRamps) {
   second.joints[0] = 0;
   const auto made = scripts({blending(quarterTurn(), 5), second});
   EXPECT_THAT(script::toText(made[0].lines), ::testing::MatchesRegex(".*,50,500,[0-9]+,false\\)"));
-  EXPECT_THAT(made[0].approximations, ElementsAre(HasSubstr("a tolerance of 5 % of the way, sent as")));
+  EXPECT_THAT(made[0].approximations, ElementsAre(HasSubstr("a tolerance of 5 % of the path, sent as")));
 }
 
 TEST_F(PathScripts, sayNoNumberThatTheControllerRefuses) {
@@ -109,7 +109,7 @@ TEST_F(PathScripts, areSlowerWhereTheRampIsTooLongToSay) {
   PathPoint line = aside();
   line.acceleration = line.deceleration = 1;
   EXPECT_THAT(only(line), HasSubstr(",9,9"));
-  EXPECT_THAT(toldOf(line), ::testing::Contains(HasSubstr("more than 9999 ms")));
+  EXPECT_THAT(toldOf(line), ::testing::Contains(HasSubstr("at most 9999 ms")));
 }
 
 TEST_F(PathScripts, stopWhereTheToleranceIsBelowAMillimetre) {

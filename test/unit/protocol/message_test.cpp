@@ -221,8 +221,8 @@ TEST(Describe, tellsWhyAFrameMeansNothing) {
   EXPECT_THAT(describe({"TMsct", "1,Pause()"}), HasSubstr("TMsct"));
   EXPECT_THAT(describe({"TMSTA", "XXXX"}), HasSubstr("XXXX"));
   EXPECT_THAT(describe({"CPERR", "99"}), HasSubstr("error code"));
-  EXPECT_THAT(describe({"TMSVR", "S1,1,[{}]"}), HasSubstr("means nothing"));
-  EXPECT_THAT(describe({"TMSVR", "S1,0,x"}), HasSubstr("means nothing"));
+  EXPECT_THAT(describe({"TMSVR", "S1,1,[{}]"}), HasSubstr("invalid content"));
+  EXPECT_THAT(describe({"TMSVR", "S1,0,x"}), HasSubstr("invalid content"));
   EXPECT_THAT(describe({"TMSVR", "x"}), HasSubstr("expected"));
   EXPECT_THAT(describe({"TMSVR", "S1,99,x"}), HasSubstr("mode 99"));
 }

@@ -156,7 +156,7 @@ TEST_F(ReadLedgerTest, tellsOfAControllerWithoutListenSend) {
 }
 
 TEST_F(ReadLedgerTest, tellsOfAnErrorInNoLineOfIt) {
-  const std::string reason = "the controller refuses the script that reads, and no line of it";
+  const std::string reason = "the controller refuses the read script, but no line of it";
   for (const std::vector<int>& lines : {std::vector<int>{},
                                         {0},
                                         {5},
@@ -178,7 +178,7 @@ TEST_F(ReadLedgerTest, givesUpWhenItsTimeIsOver) {
   ask();
   EXPECT_EQ(ledger.nextDeadline(), kDeadline);
   EXPECT_EQ(ledger.advance(kDeadline - 1ns), std::nullopt);
-  expectFailure(ledger.advance(kDeadline), Kind::NoAnswer, {}, "no reply in time to the script that reads");
+  expectFailure(ledger.advance(kDeadline), Kind::NoAnswer, {}, "no reply in time to the read script");
   EXPECT_EQ(ledger.nextDeadline(), std::nullopt);
   EXPECT_EQ(reply(), std::nullopt) << "late";
 }
@@ -187,7 +187,7 @@ TEST_F(ReadLedgerTest, givesUpWhenTheLinkDoes) {
   ask();
   sendAll();
   expectFailure(ledger.take(link::ScriptAnswered{"7", link::NoReply{}}), Kind::NoAnswer, {},
-                "no reply to the script that reads");
+                "no reply to the read script");
   ask();
   expectFailure(ledger.lost("closed"), Kind::Lost, {}, "the link was lost: closed");
 }
@@ -196,13 +196,13 @@ TEST_F(ReadLedgerTest, namesWhatDidNotCome) {
   ask();
   mark();
   send(90, {0, 0, 150, 0, 0, 0});
-  expectFailure(reply(), Kind::Incomplete, {kMass, kTable},
-                "the script that reads was done, but nothing came for TCP[\"gripper\"].Mass, "
-                "Base[\"table\"].Value");
+  expectFailure(
+      reply(), Kind::Incomplete, {kMass, kTable},
+      "the read script was done, but no data arrived for TCP[\"gripper\"].Mass, Base[\"table\"].Value");
   ask({kMass});
   send(91, {2});
   expectFailure(reply(), Kind::Incomplete, {kMass},
-                "the script that reads was done, but nothing came for TCP[\"gripper\"].Mass");
+                "the read script was done, but no data arrived for TCP[\"gripper\"].Mass");
 }
 
 // --- What does not fit.
@@ -226,14 +226,15 @@ TEST_F(ReadLedgerTest, refusesWhatComesInAnotherOrder) {
   send(91, {2});
   send(90, {0, 0, 150, 0, 0, 0});
   send(90, {1, 2, 3, 4, 5, 6});
-  expectFailure(reply(), Kind::Mixed, {}, "TMSTA 91 came where 90 was awaited for TCP[\"gripper\"].Value");
+  expectFailure(reply(), Kind::Mixed, {},
+                "TMSTA 91 arrived where 90 was expected for TCP[\"gripper\"].Value");
 }
 
 TEST_F(ReadLedgerTest, refusesMoreThanItAskedFor) {
   ask();
   sendAll();
   send(90, {9, 9, 9, 9, 9, 9});
-  expectFailure(reply(), Kind::Mixed, {}, "TMSTA 90 came behind the last answer");
+  expectFailure(reply(), Kind::Mixed, {}, "TMSTA 90 arrived after the last answer");
 }
 
 TEST_F(ReadLedgerTest, hasNoValuesWhenItAsksForNone) {

@@ -134,8 +134,9 @@ TEST(Diagnostics, aRobotOfWhichTheStreamShowsTooLittleIsReadyOnlyAsFarAsItShows)
   view.robot.emergency_stop.reset();
   const auto status = said(describeRobot, view);
   EXPECT_EQ(status.level, DiagnosticStatus::WARN);
-  EXPECT_THAT(status.message, HasSubstr("ready to move as far as the status stream shows"));
-  EXPECT_THAT(status.message, HasSubstr("ESTOP (an emergency stop is not seen"));
+  EXPECT_THAT(status.message,
+              HasSubstr("ready to move according to the status stream, but the stream lacks"));
+  EXPECT_THAT(status.message, HasSubstr("ESTOP (an emergency stop is not detected"));
   EXPECT_THAT(status.message, HasSubstr("Joint_Angle (no joint_states"));
   EXPECT_THAT(status.message, HasSubstr("Ethernet Slave"));
 }
@@ -151,7 +152,7 @@ TEST(Diagnostics, aMissingStatusStreamIsAWarningOnlyWhenOneIsWanted) {
 TEST(Diagnostics, aStreamWithItemsThatCannotBeReadIsAWarning) {
   DiagnosticsView view = in(LinkState::Ready);
   view.command.status_stream = true;
-  view.command.status_diagnosis = "the value of Joint_Angle cannot be one";
+  view.command.status_diagnosis = "the value of Joint_Angle is invalid";
   EXPECT_EQ(said(describeStatusStream, view).level, DiagnosticStatus::WARN);
   EXPECT_THAT(said(describeStatusStream, view).message, HasSubstr("Joint_Angle"));
   view.command.status_diagnosis.clear();

@@ -122,7 +122,8 @@ TEST(GoalFiles, beyondABoundAreRefused) {
   ASSERT_TRUE(found);
   const auto& answer = std::get<StepsAnswer>(*found);
   ASSERT_FALSE(answer);
-  EXPECT_THAT(answer.error(), HasSubstr("abc: 1000 files wait to be read already; send the goal again"));
+  EXPECT_THAT(answer.error(),
+              HasSubstr("abc: 1000 files are already waiting to be read; send the goal again"));
   files.forget(kFirst);
   EXPECT_FALSE(files.find(kLast + 2, FileKind::Steps, "abc").has_value()) << "there is a place again";
 }

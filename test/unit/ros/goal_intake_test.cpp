@@ -290,7 +290,7 @@ TEST_F(Intake, handsOnACancelOfAGoalThatTheCoreHasWhileOneWaitsHere) {
 TEST_F(Intake, endsAGoalWhoseCancelWasReceivedBeforeItsCallbackRan) {
   early_cancels = {1};
   move(1, "");
-  EXPECT_THAT(told, ElementsAre("end 1: cancelled before its turn came"));
+  EXPECT_THAT(told, ElementsAre("end 1: cancelled before it was started"));
   EXPECT_THAT(forgotten, ElementsAre(1));
 }
 
@@ -302,7 +302,7 @@ TEST_F(Intake, endsAGoalThatIsCancelledWhileItsMessageIsRead) {
         return blocks::MoveAbsoluteGoal{};
       },
       Instant(milliseconds(0)));
-  EXPECT_THAT(told, ElementsAre("end 1: cancelled before its turn came"));
+  EXPECT_THAT(told, ElementsAre("end 1: cancelled before it was started"));
 }
 
 TEST_F(Intake, endsAGoalThatIsCancelledWhileItsFrameIsLookedUpAgain) {

@@ -348,7 +348,8 @@ TEST(GoalMessages, aFileThatIsStillReadIsAFaultOfTheSteps) {
   message.steps_file = "/slow.yaml";
   const Lookups slow{noFrame, [](const std::string&) -> std::optional<StepsAnswer> { return std::nullopt; },
                      [](const std::string&) -> std::optional<PointsAnswer> { return std::nullopt; }};
-  EXPECT_THAT(toGoal(message, slow).steps_fault, HasSubstr("/slow.yaml: it could not be read in the time"));
+  EXPECT_THAT(toGoal(message, slow).steps_fault,
+              HasSubstr("/slow.yaml: the file was not read within the time limit"));
 }
 
 TEST(GoalMessages, aFileThatCannotBeReadIsAFaultOfTheSteps) {

@@ -158,7 +158,7 @@ TEST(OutcomeMessages, aPathTellsWhichPointIsToBlame) {
   report.error_joint = 4;
   report.method_id = 5;
   report.execution = blocks::Execution::Pvt;
-  report.execution_reason = "it was asked for";
+  report.execution_reason = "it was requested";
   report.approximations = {"point 1: profile"};
   report.blends_lost = {6, 7};
   report.max_joint_deviation = 0.25;
@@ -178,7 +178,7 @@ TEST(OutcomeMessages, aPathTellsWhichPointIsToBlame) {
   EXPECT_EQ(message.error_joint, 4);
   EXPECT_EQ(message.method_id, 5);
   EXPECT_EQ(message.execution, cobot_command::LoadPathGoal::PVT);
-  EXPECT_EQ(message.execution_reason, "it was asked for");
+  EXPECT_EQ(message.execution_reason, "it was requested");
   EXPECT_THAT(message.approximations, ElementsAre("point 1: profile"));
   EXPECT_THAT(message.blends_lost, ElementsAre(6, 7));
   EXPECT_EQ(message.max_joint_deviation, 0.25);
@@ -234,7 +234,7 @@ TEST(FeedbackMessages, aMoveTellsItsPhasePlaceAndProgress) {
   progress.fraction = 0.25;
   progress.planned = milliseconds(4000);
   progress.remaining = milliseconds(3000);
-  progress.text = "a safeguard holds the robot";
+  progress.text = "a safeguard stops the robot";
   cobot_command::MoveAbsoluteFeedback message;
   fill(message, progress, kSite);
   EXPECT_EQ(message.phase, cobot_command::MoveAbsoluteFeedback::HELD);
@@ -243,7 +243,7 @@ TEST(FeedbackMessages, aMoveTellsItsPhasePlaceAndProgress) {
   EXPECT_EQ(message.progress, 0.25);
   EXPECT_EQ(message.planned_duration, ros::Duration(4));
   EXPECT_EQ(message.remaining, ros::Duration(3));
-  EXPECT_EQ(message.text, "a safeguard holds the robot");
+  EXPECT_EQ(message.text, "a safeguard stops the robot");
 }
 
 TEST(FeedbackMessages, aPickAndPlaceTellsItsStepAndCycle) {

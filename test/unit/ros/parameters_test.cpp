@@ -171,12 +171,14 @@ TEST(ParametersOfTheCommandNode, haveToMakeSense) {
       {{{"prefix", {"a b"}}}, "prefix is the text \"a b\""},
       {{{"prefix", {"a\n"}}}, "prefix is the text \"a\\n\""},
       {{{"robot_model", {"TM12"}}}, "robot_model is the text \"TM12\"; allowed: tm5-700, tm5-900, tm12"},
-      {{{"robot_ip", {"10.0.0.7 "}}}, "robot_ip is the text \"10.0.0.7 \"; allowed: a host without blanks"},
+      {{{"robot_ip", {"10.0.0.7 "}}},
+       "robot_ip is the text \"10.0.0.7 \"; allowed: a host name or address without blanks"},
       {{{"robot_ip", {std::string(256, 'a')}}}, "robot_ip is"},
-      {{{"auto_connect", {true}}}, "robot_ip is empty; allowed: the controller's address, as auto_connect"},
+      {{{"auto_connect", {true}}},
+       "robot_ip is empty; allowed: the controller's address, because auto_connect"},
       {{{"auto_connect", {true}}, {"robot_ip", {"h"}}, {"script_port", {0}}},
        "script_port is 0; allowed: the"},
-      {{{"status_port", {5890}}}, "status_port is 5890, which script_port is, too"},
+      {{{"status_port", {5890}}}, "status_port is 5890, the same as script_port"},
   };
   for (const Refused& row : rows) {
     EXPECT_THAT(refusalOfCommandNode(ofNode(row.values)), HasSubstr("parameter /robot/node/" + row.words));
@@ -189,7 +191,7 @@ TEST(ParametersOfTheSimulator, haveToMakeSense) {
       {{{"prefix", {"/x"}}}, "prefix is the text \"/x\""},
       {{{"variables", {GivenList{{"int PTP"}}}}}, "variables holds \"int PTP\": PTP is a function"},
       {{{"points", {GivenList{{"P=0,0,170,0,0,0"}}}}}, "points \"P\" has joint 3 at 170 deg"},
-      {{{"status_port", {5890}}}, "status_port is 5890, which script_port is, too"},
+      {{{"status_port", {5890}}}, "status_port is 5890, the same as script_port"},
   };
   for (const Refused& row : rows) {
     EXPECT_THAT(refusalOfSimulator(ofNode(row.values)), HasSubstr("parameter /robot/node/" + row.words));
@@ -202,12 +204,10 @@ TEST(ParametersOfTheSimulator, haveToMakeSense) {
 TEST(Parameters, areWarnedOfWhenTheyAreMisspelt) {
   const auto commanding = readCommandParameters(ofNode({{"scrip_port", {7000}}, {"colour", {"red"}}}));
   ASSERT_TRUE(commanding);
-  EXPECT_THAT(
-      commanding->warnings,
-      ElementsAre("parameter /robot/node/colour is none of this node's, and not used: "
-                  "doc/parameters.md lists its parameters",
-                  "parameter /robot/node/scrip_port is none of this node's, and not used: did you mean "
-                  "script_port?"));
+  EXPECT_THAT(commanding->warnings, ElementsAre("parameter /robot/node/colour is not a parameter of this "
+                                                "node and is ignored: doc/parameters.md lists its parameters",
+                                                "parameter /robot/node/scrip_port is not a parameter of this "
+                                                "node and is ignored: did you mean script_port?"));
   const auto simulated = readSimulatorParameters(
       ofNode({{"robot_model", {"tm12"}}, {"project_sped", {50}}, {"listening", {OtherKind{"a namespace"}}}}));
   ASSERT_TRUE(simulated) << simulated.error().message;
@@ -235,7 +235,7 @@ TEST_F(Described, givesTheModelThatIsNotNamed) {
 TEST_F(Described, mustNotBeAnotherModelThanTheOneThatIsNamed) {
   EXPECT_THAT(
       refusalOfCommandNode(given({{"robot_model", {"tm5-900"}}}, {urdf("tm12")})),
-      HasSubstr("robot_model is tm5-900, but robot_description is of a tm12; allowed: the same model"));
+      HasSubstr("robot_model is tm5-900, but robot_description describes a tm12; allowed: the same model"));
   EXPECT_EQ(refusalOfCommandNode(given({{"robot_model", {"tm12"}}}, {urdf("tm12")})), "");
 }
 
@@ -264,7 +264,8 @@ TEST_F(Described, mustBeUsableWhenItIsNot) {
   for (const Given& description :
        {Given{"<robot name='cell'/>"}, Given{""}, Given{7}, Given{OtherKind{"binary data"}}}) {
     EXPECT_THAT(refusalOfCommandNode(given({}, description)),
-                HasSubstr("robot_model is empty, and robot_description is"));
+                ::testing::MatchesRegex(
+                    ".*robot_model is empty, and robot_description (cannot be used|is 7|is binary data).*"));
   }
 }
 
@@ -291,7 +292,7 @@ TEST(ParametersOfTheCommandNode, areNoPortsOnWhichNobodyCanListen) {
   EXPECT_THAT(refusal({"40001"}, {40002}), HasSubstr("listening/script_port is the text \"40001\""));
   EXPECT_THAT(refusal({40001}, {40002.5}), HasSubstr("listening/status_port is 40002.5"));
   EXPECT_THAT(refusal({40001}, {40001}),
-              HasSubstr("listening/status_port is 40001, which script_port is, too"));
+              HasSubstr("listening/status_port is 40001, the same as script_port"));
 }
 
 TEST(ParameterServer, hasValuesOfAllTypes) {
@@ -309,7 +310,7 @@ TEST(ParameterServer, hasValuesOfAllTypes) {
   EXPECT_EQ(describe(toGiven(XmlRpc::XmlRpcValue("5890"))), "the text \"5890\"");
   EXPECT_EQ(describe(toGiven(list)), "a list of 3");
   EXPECT_EQ(std::get<double>(std::get<GivenList>(toGiven(list).value)[2].value), 2.5);
-  EXPECT_EQ(describe(toGiven(map)), "a namespace with parameters of its own");
+  EXPECT_EQ(describe(toGiven(map)), "a namespace with parameters");
   EXPECT_EQ(describe(toGiven(XmlRpc::XmlRpcValue(&date))), "a date");
   EXPECT_EQ(describe(toGiven(XmlRpc::XmlRpcValue(static_cast<void*>(bytes), 2))), "binary data");
   EXPECT_EQ(describe(toGiven(XmlRpc::XmlRpcValue())), "nothing");
@@ -335,7 +336,7 @@ TEST(ParametersOfTheCommandNode, haveSoftwareLimitsOfSomeJoints) {
   for (const char* text : {"1=90,-90", "1=-271,0", "1=0,0"}) {
     const auto refused = limited({{text}});
     ASSERT_FALSE(refused) << text;
-    EXPECT_THAT(refused.error().message, HasSubstr("J1 is to stay between")) << text;
+    EXPECT_THAT(refused.error().message, HasSubstr("the limits of J1 are")) << text;
   }
   const auto twice = limited({{"1=-90,90"}, {"1=-45,45"}});
   ASSERT_FALSE(twice);

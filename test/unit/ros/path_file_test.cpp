@@ -111,7 +111,7 @@ TEST(PathFile, namesTheLineOfWhatIsWrong) {
               HasSubstr("cell.yaml:4: speed is something else; it must be a number"));
   EXPECT_THAT(errorWith("profile_type: 2"),
               HasSubstr("cell.yaml:4: profile_type is something else; it must be one of: S_CURVE"));
-  EXPECT_THAT(errorWith("joints: [1]"), HasSubstr("cell.yaml:4: joints stands twice in a point"));
+  EXPECT_THAT(errorWith("joints: [1]"), HasSubstr("cell.yaml:4: joints is twice in a point"));
   EXPECT_THAT(errorWith("pose: [1, 2]"),
               HasSubstr("cell.yaml:4: pose is a list of 2; it must be a list of 6"));
 }

@@ -256,7 +256,7 @@ TEST(PickAndPlaceFile, aLocationThatIsNoneIsNamed) {
   EXPECT_THAT(locationError("package://"), HasSubstr("package '' is not found"));
   EXPECT_THAT(locationError("package://roscpp"), HasSubstr("the path in the package is missing"));
   EXPECT_THAT(locationError("package://roscpp/no/such.yaml"), HasSubstr("there is no such file"));
-  EXPECT_THAT(locationError(std::string("/etc/passwd\0.yaml", 17)), HasSubstr("a path has no NUL"));
+  EXPECT_THAT(locationError(std::string("/etc/passwd\0.yaml", 17)), HasSubstr("a path must not contain NUL"));
   EXPECT_LT(locationError("/" + std::string(1000000, 'x')).size(), 1000U);
   EXPECT_THAT(locationError("/\xFF\n"), HasSubstr("/\\xFF\\n: there is no such file"));
 }
@@ -304,7 +304,7 @@ TEST(PickAndPlaceFile, whatIsNoRegularFileIsRefusedByItsKindAndNeverOpened) {
   EXPECT_THAT(locationError(folder.path() / "gone"), HasSubstr("gone: there is no such file"));
   EXPECT_THAT(locationError(folder.path()), HasSubstr("it is a folder"));
   EXPECT_THAT(locationError(fifo), HasSubstr("it is a FIFO"));
-  EXPECT_THAT(locationError(dangling), HasSubstr("a link to a file that is not there"));
+  EXPECT_THAT(locationError(dangling), HasSubstr("a link to a file that does not exist"));
   EXPECT_THAT(locationError("/dev/zero"), HasSubstr("it is a device"));
   EXPECT_THAT(locationError(folder.file("plain", "") + "/below"), HasSubstr("it cannot be read"));
 }

@@ -79,10 +79,10 @@ TEST(StatusMessages, digitalLevelsThatAreNotStreamedAreUnknown) {
 
 TEST(StatusMessages, theStatusSaysWhyThereIsNoStatusStream) {
   command::CommandStatus status;
-  status.status_diagnosis = "the status stream fell silent";
+  status.status_diagnosis = "the status stream has stopped";
   const auto message = toMessage(status, ClockPair{ros::Time(1), Instant{}});
   EXPECT_FALSE(message.status_stream);
-  EXPECT_EQ(message.status_diagnosis, "the status stream fell silent");
+  EXPECT_EQ(message.status_diagnosis, "the status stream has stopped");
 }
 
 TEST(StatusMessages, whatWasSentAndWhatWaitsAreCountedApart) {

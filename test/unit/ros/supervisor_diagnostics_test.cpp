@@ -37,9 +37,9 @@ TEST(SupervisorDiagnostics, allIsFineWhileTheCellRuns) {
 TEST(SupervisorDiagnostics, aModeThatGrantsNothingIsAWarningAndAFaultAnError) {
   CellView view = allWell();
   view.status.mode = cell::SupervisorMode::Holding;
-  view.status.diagnosis = "hold was asked for";
+  view.status.diagnosis = "hold was requested";
   EXPECT_EQ(said(describeMode, view).level, DiagnosticStatus::WARN);
-  EXPECT_EQ(said(describeMode, view).message, "HOLDING: hold was asked for");
+  EXPECT_EQ(said(describeMode, view).message, "HOLDING: hold was requested");
   view.status.mode = cell::SupervisorMode::Fault;
   EXPECT_EQ(said(describeMode, view).level, DiagnosticStatus::ERROR);
 }

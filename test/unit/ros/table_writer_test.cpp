@@ -96,7 +96,7 @@ TEST_F(TableWriterTest, changesNothingThatCannotBeKept) {
   const auto answer = write(tool(3, "gripper"));
   EXPECT_EQ(answer.error().error_id, tables::table_error::kNotKept);
   EXPECT_THAT(describe(answer.error()),
-              HasSubstr("tool 3: it cannot be kept: /data/tables.new cannot be written"));
+              HasSubstr("tool 3: it cannot be stored: /data/tables.new cannot be written"));
   EXPECT_FALSE(store.tables().entries().tools[3]);
 }
 

@@ -73,7 +73,7 @@ TEST(TablesFile, sayWhatThereIsInItsPlace) {
   std::filesystem::create_directory(folder.file("tables"));
   EXPECT_EQ(readTablesFile(folder.file("tables")).error(), "it is a folder");
   std::filesystem::create_symlink(folder.file("gone"), folder.file("link"));
-  EXPECT_EQ(readTablesFile(folder.file("link")).error(), "it is a link to a file that is not there");
+  EXPECT_EQ(readTablesFile(folder.file("link")).error(), "it is a link to a file that does not exist");
   EXPECT_THAT(readTablesFile(folder.file("large", std::string(2000000, '#'))).error(), HasSubstr("larger"));
 }
 
@@ -101,10 +101,9 @@ TEST(TableParameters, areListsOfEntries) {
 }
 
 TEST(TableParameters, areRefusedWithTheEntryAndTheReason) {
-  EXPECT_THAT(
-      refusal({{"tools", {GivenList{{"1=a"}, {"2=1,2,x"}}}}}),
-      HasSubstr("parameter /node/tools holds \"2=1,2,x\": at character 7: here stands a number; allowed: a "
-                "list of texts N=NAME, "));
+  EXPECT_THAT(refusal({{"tools", {GivenList{{"1=a"}, {"2=1,2,x"}}}}}),
+              HasSubstr("parameter /node/tools holds \"2=1,2,x\": at character 7: expected a number; "
+                        "allowed: a list of texts N=NAME, "));
   EXPECT_THAT(
       refusal({{"frames", {GivenList{{"1=1,0,0,0,0,0@2"}}}}}),
       HasSubstr("parameter /node/frames holds \"1=1,0,0,0,0,0@2\": frame 1: its reference, frame 2, is "
@@ -128,7 +127,8 @@ TEST(TableParameters, areOfTheFirstStartUntilThereIsAFile) {
   ASSERT_TRUE(second) << second.error().message;
   EXPECT_FALSE(second->tables.tables.entries().tools[3]);
   EXPECT_TRUE(second->tables.tables.entries().tools[5]);
-  EXPECT_THAT(second->warnings, ElementsAre(HasSubstr("which has others than the parameters ~tools")));
+  EXPECT_THAT(second->warnings,
+              ElementsAre(HasSubstr("and the parameters ~tools, ~frames and ~loads differ")));
 }
 
 TEST(TableParameters, areNotWarnedOfWhenTheFileHasTheSame) {
@@ -148,7 +148,7 @@ TEST(TableParameters, takeAFileWithoutItsLastLineOnceAndWriteItAnew) {
   const GivenValues values{{"tables_file", Given{path}}};
   const auto first = readCommandParameters(given(values));
   ASSERT_TRUE(first) << first.error().message;
-  EXPECT_THAT(first->warnings, ElementsAre(AllOf(HasSubstr(path), HasSubstr("written anew with that line"))));
+  EXPECT_THAT(first->warnings, ElementsAre(AllOf(HasSubstr(path), HasSubstr("rewritten with that line"))));
   EXPECT_THAT(**readTablesFile(path), EndsWith("begin\ntool 3=gripper@1\nload 1=2.5\nend 2\n"));
   const auto second = readCommandParameters(given(values));
   ASSERT_TRUE(second) << second.error().message;
@@ -161,8 +161,10 @@ TEST(TableParameters, areRefusedWithAFileOfWhichAnythingIsMissing) {
   const auto with = [&](const std::string& text) {
     return refusal({{"tables_file", Given{folder.file("tables", text)}}});
   };
-  EXPECT_THAT(with(""), AllOf(HasSubstr("tables_file is "), HasSubstr("there is no entry: the file is cut")));
-  EXPECT_THAT(with("begin\ntool 3=gripper\n"), HasSubstr("the line \"end N\" is missing: the file is cut"));
+  EXPECT_THAT(with(""),
+              AllOf(HasSubstr("tables_file is "), HasSubstr("there is no entry: the file is truncated")));
+  EXPECT_THAT(with("begin\ntool 3=gripper\n"),
+              HasSubstr("the line \"end N\" is missing: the file is truncated"));
   EXPECT_EQ(**readTablesFile(folder.file("tables")), "begin\ntool 3=gripper\n") << "it stays as it is";
 }
 
@@ -176,7 +178,7 @@ TEST(TableParameters, nameAFileThatCanBeReadAndWritten) {
   EXPECT_THAT(file(folder.file("wrong", "load 1=2\ntool 1=1,2\n")),
               HasSubstr("wrong: line 2, \"tool 1=1,2\": there are 2 numbers; a tool has six"));
   std::filesystem::create_directory(folder.file("folder"));
-  EXPECT_THAT(file(folder.file("folder")), HasSubstr("folder: it is a folder; allowed: a file of tables"));
+  EXPECT_THAT(file(folder.file("folder")), HasSubstr("folder: it is a folder; allowed: a tables file"));
 }
 
 }  // namespace

@@ -69,13 +69,13 @@ TEST_F(TrajectoryMessages, sayWhichJointIsWrong) {
   auto& given = message.trajectory.joint_names;
   given[0] = "joint_3";
   EXPECT_THAT(goal().names_fault,
-              HasSubstr("joint_3 is no joint of this robot; allowed: each of arm_shoulder_1_joint, "));
+              HasSubstr("joint_3 is not a joint of this robot; allowed: each of arm_shoulder_1_joint, "));
   given[0] = given[1];
-  EXPECT_THAT(goal().names_fault, HasSubstr("arm_shoulder_1_joint is named twice"));
+  EXPECT_THAT(goal().names_fault, HasSubstr("arm_shoulder_1_joint is listed twice"));
   given.erase(given.begin());
-  EXPECT_THAT(goal().names_fault, HasSubstr("arm_elbow_joint is not named"));
+  EXPECT_THAT(goal().names_fault, HasSubstr("arm_elbow_joint is missing"));
   given.clear();
-  EXPECT_THAT(goal().names_fault, HasSubstr("arm_shoulder_1_joint is not named"));
+  EXPECT_THAT(goal().names_fault, HasSubstr("arm_shoulder_1_joint is missing"));
   message.trajectory.points.clear();
   EXPECT_EQ(goal().names_fault, "") << "without points and names it stops what is under way";
 }
@@ -92,7 +92,7 @@ TEST_F(TrajectoryMessages, giveTolerancesByName) {
   EXPECT_THAT(goal().goal_tolerance, ElementsAre(0, 0, 0, 0, -1, 0));
   EXPECT_EQ(goal().goal_time_tolerance, 2.5);
   message.goal_tolerance[0].name = "finger";
-  EXPECT_THAT(goal().names_fault, HasSubstr("a tolerance is for finger"));
+  EXPECT_THAT(goal().names_fault, HasSubstr("a tolerance is given for finger"));
 }
 
 TEST_F(TrajectoryMessages, beginAtTheirStamp) {

@@ -83,7 +83,7 @@ TEST(DistanceMessages, tellOfABreachHowLongAndHowClose) {
   breach.end = Instant(std::chrono::milliseconds(11500));
   breach.distance = 0.015;
   breach.least = 0.012;
-  EXPECT_THAT(sentenceOf(breach), HasSubstr("for 1.50 s: 15.0 mm at the least, and 12.0 mm"));
+  EXPECT_THAT(sentenceOf(breach), HasSubstr("for 1.50 s: minimum 15.0 mm, 12.0 mm"));
 }
 
 TEST(DiagnosticsOfTheMonitor, areAnErrorWhileAllAreStopped) {
@@ -100,14 +100,14 @@ TEST(DiagnosticsOfTheMonitor, warnOfABreachAndOfRobotsThatItCannotHearOrStop) {
   WatchView unheard = viewOf(pairAt(0.05));
   unheard.movers[1].is_heard = false;
   EXPECT_EQ(described(unheard).level, Level::WARN);
-  EXPECT_THAT(described(unheard).message, HasSubstr("RB was not heard yet, in /RB/joint_states"));
+  EXPECT_THAT(described(unheard).message, HasSubstr("RB has not reported yet on /RB/joint_states"));
   WatchView silent = viewOf(pairAt(0.05));
   silent.movers[2].is_heard = false;
-  EXPECT_THAT(described(silent).message, HasSubstr("PALLET was not heard yet, in /plc/position"));
+  EXPECT_THAT(described(silent).message, HasSubstr("PALLET has not reported yet on /plc/position"));
   WatchView deaf = viewOf(pairAt(0.05));
   deaf.movers[0].takes_stops = false;
   EXPECT_EQ(described(deaf).level, Level::WARN);
-  EXPECT_THAT(described(deaf).message, HasSubstr("nobody in /RA/ takes stops of RA"));
+  EXPECT_THAT(described(deaf).message, HasSubstr("no node in /RA/ accepts stop goals of RA"));
 }
 
 TEST(DiagnosticsOfTheMonitor, areFineOtherwiseAndHaveTheDistances) {
@@ -115,7 +115,7 @@ TEST(DiagnosticsOfTheMonitor, areFineOtherwiseAndHaveTheDistances) {
   EXPECT_EQ(status.level, Level::OK);
   std::string all;
   for (const auto& value : status.values) all += value.key + "=" + value.value + "\n";
-  EXPECT_THAT(all, HasSubstr("RA and RB=50.0 mm, at least 40.0 mm ever"));
+  EXPECT_THAT(all, HasSubstr("RA and RB=50.0 mm, minimum 40.0 mm"));
   EXPECT_THAT(all, HasSubstr("mode=stop"));
   EXPECT_THAT(all, HasSubstr("carried by RA=sheet"));
   EXPECT_THAT(all, Not(HasSubstr("carried by RB"))) << "it never carries anything";

@@ -72,8 +72,10 @@ TEST(MoverNamespacesOfAMechanism, areTheNamespaceOfItsNameUntilOneReportsFromEls
 TEST(MoverNamespacesOfAMechanism, areRefusedWhereARobotIs) {
   const auto refused = MoverNamespaces::of(withMechanism(cellOf("RA", "/PALLET"), "PALLET"));
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error(), HasSubstr("mechanisms.PALLET is looked for in the namespace of its name, "
-                                         "\"/PALLET\", which is that of a robot; give"));
+  EXPECT_THAT(
+      refused.error(),
+      HasSubstr(
+          "mechanisms.PALLET is expected in the namespace \"/PALLET\", which belongs to a robot; give"));
 }
 
 TEST(MoverNamespacesOfAFile, areRefusedWhereTheyAreNoNamesOrThoseOfTwo) {
@@ -82,7 +84,7 @@ TEST(MoverNamespacesOfAFile, areRefusedWhereTheyAreNoNamesOrThoseOfTwo) {
   EXPECT_THAT(no_name.error(), HasSubstr("robots.RB.namespace is \"R B\"; allowed:"));
   const auto same = MoverNamespaces::of(cellOf("RA", "/RA"));
   ASSERT_FALSE(same);
-  EXPECT_THAT(same.error(), HasSubstr("as that of another robot"));
+  EXPECT_THAT(same.error(), HasSubstr("the same as for another robot"));
 }
 
 }  // namespace

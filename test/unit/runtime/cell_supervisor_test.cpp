@@ -65,15 +65,14 @@ TEST_F(ASupervisor, doesNotStartWithHoldsThatAreTooShort) {
   cell::Artifact artifact = built(file_);
   std::size_t& last = *artifact.robots[0].paths[1].holds[0].last_piece;
   last -= 40;
-  const auto expected =
-      AllOf(HasSubstr("/robots/0/paths/1/holds/0/last_piece is"), HasSubstr("build it anew"));
+  const auto expected = AllOf(HasSubstr("/robots/0/paths/1/holds/0/last_piece is"), HasSubstr("rebuild it"));
   EXPECT_THAT(faultWith(artifact), expected);
   EXPECT_THAT(faultWith(artifact, file_), expected);
   EXPECT_FALSE(std::filesystem::exists(in("journal"))) << "nothing was begun";
 }
 
 TEST_F(ASupervisor, doesNotStartWithTheArtifactOfAnotherCell) {
-  EXPECT_THAT(faultWith(built(other_), file_), HasSubstr("is not made of"));
+  EXPECT_THAT(faultWith(built(other_), file_), HasSubstr("was not made from"));
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ TEST_F(JournalFileTest, isRefusedWhereItIsDamagedWithTheLineAndLeftAsItIs) {
 
 TEST_F(JournalFileTest, isOfOneSupervisorAtATime) {
   auto journal = opened();
-  EXPECT_THAT(refusal(), HasSubstr("there is another supervisor with it"));
+  EXPECT_THAT(refusal(), HasSubstr("is in use by another supervisor"));
   EXPECT_TRUE(journal->append(first)) << "who has it has it still";
   journal.reset();
   EXPECT_EQ(refusal(), "");
@@ -176,7 +176,7 @@ TEST_F(JournalFileTest, thatWasMadeAnewIsOfOneSupervisorAtATimeToo) {
   const auto journal = opened();
   EXPECT_TRUE(journal->append(first));
   EXPECT_TRUE(journal->replace(third));
-  EXPECT_THAT(refusal(), HasSubstr("there is another supervisor with it"));
+  EXPECT_THAT(refusal(), HasSubstr("is in use by another supervisor"));
 }
 
 TEST_F(JournalFileTest, thatCannotBeMadeAnewIsGoneOnWith) {

@@ -84,7 +84,7 @@ TEST(SimulatorSetup, isRefusedByName) {
     EXPECT_THAT(faultOf({{"time_scale", given}}), HasSubstr("allowed: a number, 0.01 to 100, or max"));
   }
   EXPECT_THAT(faultOf({{"script_port", {7000}}, {"status_port", {7000}}}),
-              HasSubstr("status_port is 7000, which script_port is, too"));
+              HasSubstr("status_port is 7000, the same as script_port"));
   EXPECT_EQ(faultOf({{"script_port", {0}}, {"status_port", {0}}}), "");
 }
 

@@ -56,7 +56,7 @@ TEST_F(FaultsTest, areRefusedWithNumbersAndTextsThatAreNotForThem) {
   EXPECT_THAT(refusal({"silence", true, 1, 0, ""}), HasSubstr("cannot be counted"));
   EXPECT_THAT(refusal({"hide_items", true, 0, 0, ""}), HasSubstr("names"));
   EXPECT_THAT(refusal({"hide_items", true, 0, 0, "ESTOP Bogus"}), HasSubstr("Bogus"));
-  EXPECT_THAT(refusal({"hide_items", true, 0, 0, "ESTOP,Robot_Model"}), HasSubstr("blanks between"));
+  EXPECT_THAT(refusal({"hide_items", true, 0, 0, "ESTOP,Robot_Model"}), HasSubstr("with blanks"));
   EXPECT_EQ(run("1", "Pause()"), ok("1")) << "and stay off";
 }
 

@@ -121,7 +121,7 @@ TEST_F(PendantTest, changesNothingThatTheProjectDoesNotHave) {
 }
 
 TEST_F(PendantTest, changesNothingThatIsFixed) {
-  EXPECT_EQ(refusal(SetTcp{"NOTOOL", {}}), "the TCP \"NOTOOL\" is fixed: it can only be read");
+  EXPECT_EQ(refusal(SetTcp{"NOTOOL", {}}), "the TCP \"NOTOOL\" is fixed and cannot be changed");
   EXPECT_THAT(refusal(SetLoad{"HandCamera", 1, {}, {}}), HasSubstr("is fixed"));
   EXPECT_THAT(refusal(SetBase{"RobotBase", {}}), HasSubstr("the base \"RobotBase\" is fixed"));
 }

@@ -217,7 +217,7 @@ TEST_F(DataTablesTest, sayWhichFrameLacksItsValueWhenItIsTheReference) {
   const Gap gap = all.frameInRobotBase(2).error();
   EXPECT_EQ(gap.reason, Gap::Reason::ValueUnknown);
   EXPECT_EQ(gap.index, 1);
-  EXPECT_THAT(gap.found, HasSubstr("frame 2 stands in another: frame 1"));
+  EXPECT_THAT(gap.found, HasSubstr("frame 2 refers to another: frame 1"));
 }
 
 TEST_F(DataTablesTest, learnAValueOfTheProjectAndKeepTheirOwn) {

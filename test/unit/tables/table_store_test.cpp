@@ -63,9 +63,9 @@ TEST_F(TableStoreTest, refusesToEmptyWhatIsInUse) {
 
 TEST_F(TableStoreTest, saysWhoUsesAnEntry) {
   const Hold path = store.hold({"load_path 7", {1}, {}});
-  EXPECT_EQ(
-      describe(*store.writeTool(1, toolAt(2))),
-      "tool 1: load_path 7 uses it; allowed: to write what nobody uses. Wait until it is done, or cancel it");
+  EXPECT_EQ(describe(*store.writeTool(1, toolAt(2))),
+            "tool 1: load_path 7 uses it; allowed: to write an entry that is not in use. Wait until it is "
+            "done, or cancel it");
 }
 
 TEST_F(TableStoreTest, countsUsesUntilTheLastIsOver) {

@@ -75,21 +75,20 @@ TEST(TableLists, takeAnyNameInQuotes) {
 
 TEST(TableLists, sayWhereAnEntryDoesNotGoOn) {
   EXPECT_EQ(faultOfTool(""),
-            "entry 1 of tools, \"\": at character 1: here stands the number of the entry, a "
-            "whole number");
+            "entry 1 of tools, \"\": at character 1: expected the number of the entry, a whole number");
   EXPECT_THAT(faultOfTool("x=1"), HasSubstr("at character 1: "));
-  EXPECT_THAT(faultOfTool("3"), HasSubstr("at character 2: behind the number of the entry stands ="));
-  EXPECT_THAT(faultOfTool("3="), HasSubstr("at character 3: here stands what the entry is"));
-  EXPECT_THAT(faultOfTool("3=1,2,x,4,5,6"), HasSubstr("at character 7: here stands a number"));
-  EXPECT_THAT(faultOfTool("3=1,2,3,4,5,6,"), HasSubstr("at character 15: here stands a number"));
-  EXPECT_THAT(faultOfTool("3=1,2,3,4,5,6 7"), HasSubstr("at character 15: here the entry should end"));
-  EXPECT_THAT(faultOfTool("3=a:"), HasSubstr("at character 5: here stands a number"));
-  EXPECT_THAT(faultOfTool("3=a@"), HasSubstr("at character 5: here stands behind @ what is referred to"));
-  EXPECT_THAT(faultOfTool("3=a,b"), HasSubstr("stands in \""));
-  EXPECT_THAT(faultOfTool("3=a # b"), HasSubstr("stands in \"")) << "comments are for files";
-  EXPECT_THAT(faultOfTool("3=\"a"), HasSubstr("no end"));
+  EXPECT_THAT(faultOfTool("3"), HasSubstr("at character 2: expected = after the number of the entry"));
+  EXPECT_THAT(faultOfTool("3="), HasSubstr("at character 3: expected a name, numbers, or both"));
+  EXPECT_THAT(faultOfTool("3=1,2,x,4,5,6"), HasSubstr("at character 7: expected a number"));
+  EXPECT_THAT(faultOfTool("3=1,2,3,4,5,6,"), HasSubstr("at character 15: expected a number"));
+  EXPECT_THAT(faultOfTool("3=1,2,3,4,5,6 7"), HasSubstr("at character 15: expected the end of the entry"));
+  EXPECT_THAT(faultOfTool("3=a:"), HasSubstr("at character 5: expected a number"));
+  EXPECT_THAT(faultOfTool("3=a@"), HasSubstr("at character 5: expected the number after @"));
+  EXPECT_THAT(faultOfTool("3=a,b"), HasSubstr("must be in \""));
+  EXPECT_THAT(faultOfTool("3=a # b"), HasSubstr("must be in \"")) << "comments are for files";
+  EXPECT_THAT(faultOfTool("3=\"a"), HasSubstr("not closed"));
   EXPECT_THAT(faultOfTool("3=\"\""), HasSubstr("the name is empty"));
-  EXPECT_THAT(faultOfTool("3=:1,2,3,4,5,6"), HasSubstr("at character 3: here stands a name"));
+  EXPECT_THAT(faultOfTool("3=:1,2,3,4,5,6"), HasSubstr("at character 3: expected a name"));
 }
 
 TEST(TableLists, takeNoNumbersForANameWhenOneIsMissing) {
@@ -117,7 +116,7 @@ TEST(TableLists, refuseNamesAndReferencesOfLoads) {
     return tables ? "" : describe(tables.error());
   };
   EXPECT_THAT(fault("1=heavy"), HasSubstr("a load has no name"));
-  EXPECT_THAT(fault("1=1@2"), HasSubstr("a load refers to nothing"));
+  EXPECT_THAT(fault("1=1@2"), HasSubstr("a load cannot refer to another entry"));
   EXPECT_THAT(fault("1=1,2,3,4"), HasSubstr("there are 4 numbers; a load has"));
   EXPECT_THAT(fault("1=5"), HasSubstr("its mass is 5 kg; allowed: 0 to 4 kg, the payload of tm5-900"));
   EXPECT_THAT(fault("1=1,-1,0,0,0,0,0,0,0,0"), HasSubstr("a moment of inertia is -1 kg mm^2"));
@@ -142,9 +141,8 @@ TEST(TableFile, hasOneEntryALineAndComments) {
 
 TEST(TableFile, withoutEntriesSaysThatItHasNone) {
   for (const char* text : {"", "\n", "\n\n# nothing\n"}) {
-    EXPECT_THAT(faultOfFile(text),
-                HasSubstr("there is no entry: the file is cut. Bring it back from a copy; or, "
-                          "if its entries (0) are all that there should be, let \"end 0\""))
+    EXPECT_THAT(faultOfFile(text), HasSubstr("there is no entry: the file is truncated. Restore it from a "
+                                             "copy; or, if its entries (0) are complete, make \"end 0\""))
         << text;
   }
   EXPECT_TRUE(ofFile("end 0"));
@@ -157,7 +155,7 @@ TEST(TableFile, asOlderOnesWereIsTakenWithoutItsLastLineAndSaysSo) {
   EXPECT_FALSE(file->has_end);
   EXPECT_EQ(file->tables.load(1)->mass, 2);
   EXPECT_THAT(faultOfFile("load 1=2\nload 2=1"),
-              HasSubstr("line 2, \"load 2=1\": it ends in the middle of this line: the file is cut"));
+              HasSubstr("line 2, \"load 2=1\": it ends in the middle of this line: the file is truncated"));
 }
 
 TEST(TableFile, ofWhichAnythingIsCutIsRefused) {
@@ -178,20 +176,22 @@ TEST(TableFile, ofWhichAnythingIsCutIsRefused) {
 TEST(TableFile, ofWhichAnyLineIsLostIsRefused) {
   EXPECT_THAT(
       faultOfFile("begin\nload 1=2\nend 2\n"),
-      HasSubstr("line 3, \"end 2\": there are not so many entries before it, but 1: the file is cut"));
+      HasSubstr(
+          "line 3, \"end 2\": the number of entries before it is not this, but 1: the file is truncated"));
   EXPECT_THAT(faultOfFile("begin\nload 1=2\n"),
               HasSubstr("line 2, \"load 1=2\": after it the line \"end N\" is missing"));
-  EXPECT_THAT(faultOfFile("begin\n"), HasSubstr("let \"end 0\" be its last line"));
+  EXPECT_THAT(faultOfFile("begin\n"), HasSubstr("make \"end 0\" its last line"));
 }
 
 TEST(TableFile, hasItsBeginAndItsEndInTheirPlaces) {
-  EXPECT_THAT(faultOfFile("load 1=2\nbegin\nend 1\n"), HasSubstr("\"begin\" stands once, before all"));
-  EXPECT_THAT(faultOfFile("begin\nbegin\nend 0\n"), HasSubstr("\"begin\" stands once"));
-  EXPECT_THAT(faultOfFile("begin 2\nend 0\n"), HasSubstr("after \"begin\" stands nothing"));
-  EXPECT_THAT(faultOfFile("end 0\nload 1=2\n"), HasSubstr("entries stand before the line \"end\""));
-  EXPECT_THAT(faultOfFile("end 0\nend 0\n"), HasSubstr("nothing but comments stands after the line \"end\""));
+  EXPECT_THAT(faultOfFile("load 1=2\nbegin\nend 1\n"), HasSubstr("\"begin\" must occur once, before all"));
+  EXPECT_THAT(faultOfFile("begin\nbegin\nend 0\n"), HasSubstr("\"begin\" must occur once"));
+  EXPECT_THAT(faultOfFile("begin 2\nend 0\n"), HasSubstr("nothing may follow \"begin\""));
+  EXPECT_THAT(faultOfFile("end 0\nload 1=2\n"), HasSubstr("entries must be before the line \"end\""));
+  EXPECT_THAT(faultOfFile("end 0\nend 0\n"), HasSubstr("only comments may follow the line \"end\""));
   for (const char* end : {"end\n", "end x\n", "end -1\n", "end 0 0\n", "end 99999999999999999999\n"}) {
-    EXPECT_THAT(faultOfFile(end), HasSubstr("after \"end\" stands the number of the entries, here 0")) << end;
+    EXPECT_THAT(faultOfFile(end), HasSubstr("\"end\" must be followed by the number of the entries, here 0"))
+        << end;
   }
 }
 

@@ -71,7 +71,7 @@ TEST(ScriptChecker, remembersVariablesOfEarlierScriptsAndOfTheProject) {
 TEST(ScriptChecker, findsArgumentsThatNoFormTakes) {
   EXPECT_THAT(errorOf("PTP(\"JPP\",1,2,3)"),
               HasSubstr("PTP(string, byte, byte, byte) is not defined, only PTP("));
-  EXPECT_THAT(errorOf("ChangeBase({1,2,3})"), HasSubstr("6 elements are wanted, not 3"));
+  EXPECT_THAT(errorOf("ChangeBase({1,2,3})"), HasSubstr("6 elements are expected, not 3"));
   EXPECT_EQ(replyTo("PTP(\"CPP\",{1,2,3,4,5,6},10,200,0,false,{0,2,4})"), "OK");
   EXPECT_EQ(replyTo("PTP(\"JPP\",{1,2,3,4,5,6},10,200,0,0)"), "ERROR;1");
   EXPECT_EQ(replyTo("QueueTag()"), "ERROR;1");

@@ -165,7 +165,7 @@ TEST(ScriptInterpreter, namesLineAndReasonOfAFailureAndRunsNothingBehindIt) {
   EXPECT_EQ(session.run("ChangeLoad(50)"), "line 1: ChangeLoad: the load is too heavy");
   EXPECT_EQ(session.run("i = \"abc\""), "line 1: \"abc\" is no number");
   EXPECT_THAT(session.run("i = 1e20"), HasSubstr("no number that an int holds"));
-  EXPECT_THAT(session.run("float[] p = {1}\r\nChangeBase(p)"), HasSubstr("6 elements are wanted, not 1"));
+  EXPECT_THAT(session.run("float[] p = {1}\r\nChangeBase(p)"), HasSubstr("6 elements are expected, not 1"));
   EXPECT_EQ(session.variable("i"), "int 0");
 }
 

@@ -1,7 +1,8 @@
-// The list of the function blocks: each stands in two lines of this file, and nowhere else. What follows of
-// it (Block, the catalogue of errors, the action servers, the sources to build) is made of the list.
+// The list of the function blocks. Each block has two lines in this file and is listed nowhere else.
+// Everything that follows from the list (Block, the error catalogue, the action servers, the sources to
+// build) is derived from it.
 //
-// A block is a goal with its name, errors and rules, in a header and a source of its name.
+// A block is a goal with its name, errors and rules, in a header and a source file of the block's name.
 #pragma once
 
 #include <cstddef>
@@ -73,7 +74,7 @@ constexpr std::size_t placeIn(const std::variant<Kinds...>* /*list*/) {
 }
 }  // namespace detail
 
-/// The block of a kind of goal.
+/// The block of a goal type.
 template <class Kind>
 inline constexpr Block kBlock = static_cast<Block>(detail::placeIn<Kind>(static_cast<Goal*>(nullptr)));
 

@@ -1,4 +1,4 @@
-// The rules of a goal, whatever block it is of: each question is answered by that block.
+// The rules of a goal of any block. The goal's own block answers each question.
 #pragma once
 
 #include <memory>
@@ -13,38 +13,39 @@
 
 namespace cobot_command::blocks {
 
-/// With the defaults in place of what is negative: the speed, the time to top speed and the blending (where
-/// it is enabled) of each move in it. To be called before all rules, once.
+/// Replaces negative values by the defaults: the speed, the time to top speed and, if enabled, the blending
+/// of each move in the goal. Call it once, before all rules.
 [[nodiscard]] Goal withDefaults(Goal goal, const DefaultDynamics& defaults);
-/// What is wrong with one of them, that is there: what was found, and what is allowed; nothing: they may be.
+/// The first default that is out of its range: its value and the allowed range; nullopt: all defaults are
+/// valid.
 [[nodiscard]] std::optional<std::string> faultIn(const DefaultDynamics& defaults);
 
-/// For as long as the goal lives.
+/// Refers to the goal: valid only as long as the goal exists.
 class GoalRules {
  public:
   explicit GoalRules(const Goal& goal) : goal_(goal) {}
 
   [[nodiscard]] GoalTraits traits() const;
-  /// All violations of the goal's own parameters, in table order; empty when it may be sent. Numbers are not
-  /// looked at where a pose or a name stands in place of them.
+  /// All violations of the goal's own parameters, in table order; empty: the goal may be sent. Numbers are
+  /// not checked if a pose or a name replaces them.
   [[nodiscard]] std::vector<Failure> violations() const;
-  /// Why a goal that has waited must not start; nothing when its targets are where they were, when it has
-  /// none in a frame, or nobody can be asked.
+  /// Why a goal that has waited must not start; nullopt: its targets have not moved, it has no targets in a
+  /// frame, or `finder` is empty.
   [[nodiscard]] std::optional<Failure> findMovedFrame(const FrameFinder& finder) const;
-  /// The entries of the tables that must stay as they are from its plan to its end; nothing: it needs none.
+  /// The table entries that must not change from its plan to its end; nullopt: it needs none.
   [[nodiscard]] std::optional<tables::Use> uses() const;
-  /// The one command that it is; nothing when it is another number of them. Precondition of all that follow:
-  /// no violations.
+  /// The command of a goal that is exactly one command; nullopt: it has another number of commands.
+  /// Precondition of all functions below: no violations.
   [[nodiscard]] std::optional<Command> command() const;
-  /// It is planned as a whole, by plan().
+  /// True: plan() plans the goal as a whole.
   [[nodiscard]] bool isPlanned() const;
-  /// Plans it as a whole: Rejected when it cannot be made; nothing when it is one command, which the core
-  /// plans.
+  /// Plans the goal as a whole. Rejected: the goal cannot be carried out. nullopt: the goal is one command,
+  /// which the core plans.
   [[nodiscard]] std::optional<Outcome> plan(const PlanningScene& scene) const;
-  /// What people are to see of what plan() found, of a kind of the block's own; none: nothing.
+  /// The part of the result of plan() that is shown to people, of the block's own type; none: nothing is
+  /// shown.
   [[nodiscard]] Detail preview(const Outcome& planned) const;
-  /// `planned`: what plan() found, if it did. Precondition: it is one that comes when it is its turn
-  /// (Way::Queue).
+  /// `planned`: the result of plan(), if it was called. Precondition: the goal is queued (Way::Queue).
   [[nodiscard]] std::unique_ptr<Run> run(GoalId id, const Outcome& planned, Instant now) const;
 
  private:

@@ -1,4 +1,4 @@
-// Which goals wait for no other on their way to the core: what stops the robot, holds it, or lets it go on.
+// Goals that wait for no other goal on their way to the core: those that stop, pause or resume the robot.
 #pragma once
 
 #include <type_traits>

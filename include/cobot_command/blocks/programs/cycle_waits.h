@@ -1,4 +1,4 @@
-// How long a program has waited for permits, cycle by cycle.
+// Time that a program has waited for permits, for each cycle.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace cobot_command::blocks {
 
 class CycleWaits {
  public:
-  /// A goal may last for months: of so many cycles it is known, the first ones are forgotten.
+  /// Number of cycles that are kept. Older ones are dropped, because a goal may run for months.
   static constexpr std::size_t kMost = 10000;
 
   void beginCycle() {
@@ -21,7 +21,7 @@ class CycleWaits {
   }
   /// Precondition: a cycle has begun.
   void add(Duration waited) { waits_.back() += waited; }
-  /// By cycle, the last one maybe not whole. None is left.
+  /// One value for each cycle; the last cycle may be incomplete. The record is empty afterwards.
   [[nodiscard]] std::vector<Duration> take() {
     const auto waits = std::exchange(waits_, {});
     return {waits.begin(), waits.end()};

@@ -1,5 +1,6 @@
-// Who leads a run_program goal: knows the program of the robot, and when each frame of it may leave. Blocks
-// and the core know nothing of cells; what a cell grants comes through here (cell/agent).
+// Guides a run_program goal: it has the program of the robot, and decides when each frame of it may be sent.
+// Blocks and the core have no knowledge of cells; the permits of a cell arrive through this interface
+// (cell/agent).
 #pragma once
 
 #include <cstdint>
@@ -15,72 +16,74 @@
 
 namespace cobot_command::blocks {
 
-/// What a run_program goal asks for.
+/// The request of a run_program goal.
 struct ProgramRequest {
   std::vector<std::string> paths;  ///< in this order; empty: the whole program
-  int cycles = 1;                  ///< 0: until it is cancelled, or finished
+  int cycles = 1;                  ///< 0: until it is cancelled or finished
 };
 
-/// One script frame of a program, and what follows once the robot stands at its end.
+/// One script frame of a program, and the actions after the robot has stopped at its end.
 struct ProgramFrame {
-  std::vector<std::string> lines;  ///< exactly what leaves, without queue tag
-  bool stands = true;              ///< false: it goes over into the next one
+  std::vector<std::string> lines;  ///< exactly the lines to send, without queue tag
+  bool stands = true;              ///< the robot stops at its end; false: it continues into the next frame
   std::optional<SetOutputGoal> output;
   std::optional<WaitForInputGoal> input;
   double dwell = 0;  ///< [s]
 };
 
-/// How a program stands.
+/// State of a program.
 struct ProgramStand {
-  /// Why it waits for a permit.
+  /// Why the program waits for a permit.
   enum class Reason : std::uint8_t { None, ZoneHeld, WouldBlock, Aged, Quarantined, Holding, Scheduled };
 
-  std::string place;  ///< in the program, for people
+  std::string place;  ///< place in the program, for people
   std::string path;   ///< empty: at a station
   int step = -1;      ///< of the path, from 0; -1: none
   int cycle = 1;      ///< from 1
   bool is_permitted = false;
   Reason reason = Reason::None;
-  std::vector<std::string> blocked_by;  ///< robots
+  std::vector<std::string> blocked_by;  ///< robots that block it
   int place_in_queue = 0;               ///< 1: next
   Duration waiting{};
   std::string text;     ///< for people
-  int cycles_done = 0;  ///< whole ones
+  int cycles_done = 0;  ///< complete ones
 };
 
-/// All but objectionTo() on the core's thread.
+/// All functions except objectionTo() are called on the core's thread.
 class ProgramGuide {
  public:
   virtual ~ProgramGuide() = default;
 
-  /// Why it is no request for this program, whatever its robot is at. From any thread.
+  /// Why the request does not fit this program, whatever the state of its robot; nullopt: it fits. Callable
+  /// from any thread.
   [[nodiscard]] virtual std::optional<Failure> objectionTo(const ProgramRequest& request) const = 0;
 
-  /// Its turn has come. Why it cannot begin; nothing: it has begun.
+  /// The goal's turn has come. Returns why the program cannot begin; nullopt: it has begun.
   [[nodiscard]] virtual std::optional<Failure> begin(const ProgramRequest& request, Instant now) = 0;
-  /// That may leave now, as far as is known; the gate looks again at that instant. nullptr: none.
+  /// The frame that may be sent now, as far as is known; the gate checks it again when it is sent. nullptr:
+  /// none.
   [[nodiscard]] virtual const ProgramFrame* permitted() const = 0;
-  /// What was permitted has left.
+  /// The permitted frame was sent.
   virtual void sent(Instant now) = 0;
-  /// It has not left, as the gate has refused it: whether it is permitted is looked at anew.
+  /// The permitted frame was not sent because the gate refused it: its permit is checked again.
   virtual void refused(Instant now) = 0;
-  /// The next frame may follow: this one was accepted and goes over into it, or it was done, and all behind
-  /// it.
+  /// The next frame may follow: this one was accepted and continues into the next one, or it and all actions
+  /// after it are done.
   virtual void done(Instant now) = 0;
-  /// All that was asked for has been done.
+  /// Everything that was requested is done.
   [[nodiscard]] virtual bool isOver() const = 0;
-  /// Why it cannot go on.
+  /// Why the program cannot continue.
   [[nodiscard]] virtual const std::optional<Failure>& failure() const = 0;
-  /// The robot has to be stopped for that.
+  /// True: the robot must be stopped because of the failure.
   [[nodiscard]] virtual bool stopsRobot() const = 0;
-  /// No other cycle is begun.
+  /// No further cycle is begun.
   virtual void finish() = 0;
-  /// Nothing of it is sent any more; what was not done stays undone. How long it has waited for permits, in
-  /// each of its last CycleWaits::kMost cycles.
+  /// Nothing more of the program is sent; what is not done stays undone. Returns the time that it waited for
+  /// permits, for each of its last CycleWaits::kMost cycles.
   virtual std::vector<Duration> end(Instant now) = 0;
 
   [[nodiscard]] virtual ProgramStand stand(Instant now) const = 0;
-  /// When something of it changes by time alone.
+  /// When its state changes by time alone; nullopt: never.
   [[nodiscard]] virtual std::optional<Instant> nextDeadline() const = 0;
 };
 

@@ -1,4 +1,4 @@
-// A function block as a value: its place in the list of all blocks (Goal).
+// Identifies a function block: its index in the list of all blocks (Goal).
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,6 @@ namespace cobot_command::blocks {
 
 enum class Block : std::size_t {};
 
-[[nodiscard]] const char* toString(Block block);  ///< "connect", "move_absolute": the action's name
+[[nodiscard]] const char* toString(Block block);  ///< the action's name: "connect", "move_absolute"
 
 }  // namespace cobot_command::blocks

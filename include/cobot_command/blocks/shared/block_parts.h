@@ -1,4 +1,4 @@
-// What the header of a block is made of.
+// The headers that the header of every block needs.
 #pragma once
 
 #include "cobot_command/blocks/shared/error_table.h"

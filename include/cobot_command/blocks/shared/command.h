@@ -1,4 +1,4 @@
-// One script that a run wants sent, with all that has to be known of it; the same for every block.
+// One script that a run wants to send, with all data about it; the same type for every block.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,19 @@
 
 namespace cobot_command::blocks {
 
-/// By which a run tells its commands apart; of its own choosing.
+/// Identifies a command within its run; chosen by the run.
 using CommandKey = std::uint64_t;
 
 struct Command {
   CommandKey key = 0;
-  Block block{};  ///< whose errors it fails with
+  Block block{};  ///< block that has the errors of the command
   GoalTraits traits;
-  /// Its lines, when the active base is `base` in the robot base.
+  /// The lines of the script, if the active base is `base` in the robot base.
   std::function<Order(const arm::Pose& base)> order;
-  /// Why it must not be sent, as a target in a tf frame has moved; may be empty: it has none.
+  /// Why the command must not be sent because a target in a tf frame has moved. Empty function: it has no
+  /// such target.
   std::function<std::optional<Failure>(const FrameFinder& finder)> find_moved_frame;
-  bool leaves_only = false;  ///< it is to leave the Listen node: done, when that was left already
+  bool leaves_only = false;  ///< it only leaves the Listen node: done if the node was left already
 };
 
 }  // namespace cobot_command::blocks

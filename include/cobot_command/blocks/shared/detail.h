@@ -1,5 +1,6 @@
-// What only one block tells, of a goal's end or of its progress: a struct of its own, in the block's header
-// beside the goal. It is carried by who does not know it, and read by who knows the block.
+// The part of a goal's outcome or progress that is specific to one block: a struct of its own, in the block's
+// header next to the goal. Code that does not know the block passes it on; code that knows the block reads
+// it.
 #pragma once
 
 #include <cassert>
@@ -10,7 +11,7 @@
 
 namespace cobot_command::blocks {
 
-/// A value of any kind, or none. Immutable: copies share it, on any threads, whatever its size.
+/// A value of any type, or none. Immutable: copies share the value, on any threads, whatever its size.
 class Detail {
  public:
   Detail() = default;
@@ -21,13 +22,13 @@ class Detail {
 
   [[nodiscard]] bool isNone() const { return value_ == nullptr; }
 
-  /// Nothing (nullptr) when there is none, or one of another kind.
+  /// nullptr: there is no value, or one of another type.
   template <class Kind>
   [[nodiscard]] const Kind* find() const {
     return !isNone() && *kind_ == typeid(Kind) ? static_cast<const Kind*>(value_.get()) : nullptr;
   }
 
-  /// What a Kind is by default when there is none. Precondition: there is none of another kind.
+  /// The value, or a default Kind if there is none. Precondition: there is no value of another type.
   template <class Kind>
   [[nodiscard]] const Kind& as() const {
     static const Kind kNone{};

@@ -1,5 +1,5 @@
-// The one place with every ErrorID, its text and its remedy (thesis tables 5.3.x; own ids from 16#200): the
-// tables of all blocks.
+// The catalogue of all ErrorIDs with texts and remedies (thesis tables 5.3.x; own ids from 16#200). It
+// consists of the tables of all blocks.
 #pragma once
 
 #include <string>
@@ -16,23 +16,24 @@ struct ErrorEntry : ErrorRow {
 
 /// All rows, ordered by block and id.
 [[nodiscard]] const std::vector<ErrorEntry>& errorCatalogue();
-/// Nothing (nullptr) when the block has no such id.
+/// nullptr: the block has no such id.
 [[nodiscard]] const ErrorEntry* findError(Block block, int id);
 
-// Common failures are named by their general ids, and told by some blocks under own numbers.
-/// Under which id the block tells of it; `id` itself where it has no number of its own for it.
+// Common failures are identified by general ids. Some blocks report them under ids of their own.
+/// The id under which the block reports the general `id`; `id` itself if the block has no id of its own for
+/// it.
 [[nodiscard]] int ownErrorId(Block block, int id);
-/// The contrary; of several the first in the block's list.
+/// The inverse. If several general ids have the same own id: the first in the block's list.
 [[nodiscard]] int generalErrorId(Block block, int id);
-/// Whether an outcome of the block with `id` may be that general error.
+/// True: an outcome of the block with `id` may be the error `general`.
 [[nodiscard]] inline bool isError(Block block, int id, int general) {
   return id == ownErrorId(block, general);
 }
-/// Whether the first decides where both are found. Either may be general.
+/// True: `id` takes precedence over `other` if both are found. Either may be a general id.
 [[nodiscard]] bool decidesBefore(Block block, int id, int other);
 
-/// For people, as the book has it from which the number is: 16#10, of the thesis and of this layer; 1010, of
-/// the manual of path loading.
+/// For people, in the notation of the source: 16#10 as in the thesis and in this layer, 1010 as in the manual
+/// of path loading.
 [[nodiscard]] std::string errorNumber(int id);
 
 }  // namespace cobot_command::blocks

@@ -1,7 +1,7 @@
 // Names for the ErrorIDs. Texts, remedies and conditions are in the catalogue (error_catalogue.h).
 //
-// Below 16#200: the thesis's numbers, whose meaning depends on the block. From 16#200: this layer's own, with
-// one meaning for all blocks.
+// Below 16#200: the numbers of the thesis; their meaning depends on the block. From 16#200: own numbers of
+// this layer, with one meaning for all blocks.
 #pragma once
 
 namespace cobot_command::blocks {
@@ -21,8 +21,8 @@ inline constexpr int kDisconnected = 0x90;
 inline constexpr int kClose = 0x100;
 }  // namespace connect_error
 
-/// Table 5.3.2.8, and 16#99 of annex code. The same numbers mean the same in the other blocks, as far as
-/// those have them; exceptions below.
+/// Table 5.3.2.8, and 16#99 of the annex code. The same numbers have the same meaning in all other blocks
+/// that have them; exceptions are below.
 namespace motion_error {
 inline constexpr int kNotConnected = 0x10;
 inline constexpr int kOtherBlockBusy = 0x11;
@@ -48,13 +48,13 @@ inline constexpr int kReceiveTag = 0x100;
 inline constexpr int kMotionFailed = 0x110;
 }  // namespace motion_error
 
-/// Table 5.3.3.7: where it differs from MoveAbsolute.
+/// Table 5.3.3.7: differences from MoveAbsolute.
 namespace relative_error {
 inline constexpr int kFormatForPtp = 0x30;
 inline constexpr int kFormatForLine = 0x31;
 }  // namespace relative_error
 
-/// Table 5.3.6.6: where it differs from MoveAbsolute.
+/// Table 5.3.6.6: difference from MoveAbsolute.
 namespace tcp_error {
 inline constexpr int kWeightRange = 0x25;
 }  // namespace tcp_error
@@ -101,13 +101,13 @@ inline constexpr int kStopNotConfirmed = 0x225;
 inline constexpr int kNotAtTarget = 0x226;
 inline constexpr int kOrphanMoves = 0x227;
 inline constexpr int kStoppedElsewhere = 0x228;
-inline constexpr int kManualMode = 0x229;  // none under this number yet: load_path has one of its own
+inline constexpr int kManualMode = 0x229;  // not used under this number yet: load_path has one of its own
 // The layer.
 inline constexpr int kShutDown = 0x230;
 inline constexpr int kBaseUnknown = 0x231;
-// 0x232 is of the services of the tables: tables/refusal.h.
-inline constexpr int kOverrideZero = 0x234;  ///< of the speed: it holds the robot
-inline constexpr int kInterruption = 0x233;  ///< nothing is interrupted, or nothing can be
+// 0x232 belongs to the services of the tables: tables/refusal.h.
+inline constexpr int kOverrideZero = 0x234;  ///< of the speed: it pauses the robot
+inline constexpr int kInterruption = 0x233;  ///< nothing to interrupt or to continue
 // The connection.
 inline constexpr int kHostInvalid = 0x240;
 inline constexpr int kPortRange = 0x241;
@@ -136,7 +136,7 @@ inline constexpr int kInputUnknown = 0x266;
 inline constexpr int kTrackingOffset = 0x270;
 inline constexpr int kNotInAScript = 0x271;
 inline constexpr int kPvtUnavailable = 0x272;
-inline constexpr int kFeedrateRange = 0x273;  ///< of the service, no goal has it
+inline constexpr int kFeedrateRange = 0x273;  ///< of the service; no goal reports it
 inline constexpr int kPathDeviates = 0x274;
 inline constexpr int kExecutionUnknown = 0x275;
 inline constexpr int kRestNotPlanned = 0x276;
@@ -158,7 +158,7 @@ inline constexpr int kOffPath = 0x286;
 inline constexpr int kOnlyPrograms = 0x287;
 inline constexpr int kProgramUnknown = 0x288;
 inline constexpr int kRecoveryNeeded = 0x289;
-// 0x28A and 0x28B are of the supervisor's actions: ros/supervision/supervisor_errors.h.
+// 0x28A and 0x28B belong to the actions of the supervisor: ros/supervision/supervisor_errors.h.
 // Trajectories.
 inline constexpr int kTrajectoryInvalid = 0x2A0;
 inline constexpr int kJointNames = 0x2A1;
@@ -168,14 +168,14 @@ inline constexpr int kPathTolerance = 0x2A4;
 inline constexpr int kGoalTolerance = 0x2A5;
 }  // namespace own_error
 
-/// SRCI's, of goals that its interface has something against (exchange_configuration).
+/// SRCI numbers, of goals that the interface refuses (exchange_configuration).
 namespace interface_error {
 inline constexpr int kNotEnabled = 0x8C05;
 inline constexpr int kNotSynchronized = 0x8C06;
 inline constexpr int kInterrupted = 0x8C30;
 }  // namespace interface_error
 
-/// SRCI's numbers, of the way back to where the robot was interrupted.
+/// SRCI numbers, of the return to the position of an interruption.
 namespace return_error {
 inline constexpr int kTooFar = 0x8C07;
 inline constexpr int kToolDiffers = 0x8C22;
@@ -185,19 +185,20 @@ inline constexpr int kReturnMode = 0x8D30;
 inline constexpr int kTrajectoryMode = 0x8D36;
 }  // namespace return_error
 
-/// SRCI's WaitTime.
+/// SRCI numbers of WaitTime.
 namespace wait_error {
 inline constexpr int kTime = 0x8D34;
 }  // namespace wait_error
 
-/// SRCI's GroupJog; those of frames and tools: tables/refusal.h.
+/// SRCI numbers of GroupJog; those of frames and tools: tables/refusal.h.
 namespace jog_error {
 inline constexpr int kMotionActive = 0x8C33;
 inline constexpr int kTwoRotations = 0x8C36;
 inline constexpr int kInput = 0x8D12;
 }  // namespace jog_error
 
-/// Rockwell's manual of LoadPath, which is decimal; those of points and plans: path/path_refusal.h.
+/// Numbers of Rockwell's manual of LoadPath, which are decimal; those of points and plans:
+/// path/path_refusal.h.
 namespace load_path_error {
 inline constexpr int kNotRegistered = 1000;
 inline constexpr int kHandlerNotRunning = 1001;

@@ -1,5 +1,5 @@
-// One table of errors for each block; the catalogue is all of them, one after the other. What blocks have in
-// common is written once (shared_errors.cpp).
+// The error table of a block. The catalogue consists of the tables of all blocks. Errors that several blocks
+// have are defined once (shared_errors.cpp).
 #pragma once
 
 #include <initializer_list>
@@ -7,24 +7,23 @@
 
 namespace cobot_command::blocks {
 
-/// Remedies of the thesis that many rows share. Where a text of the thesis does not fit, doc/thesis.md says
-/// so.
+/// Remedies of the thesis that many rows share. doc/thesis.md lists the texts of the thesis that do not fit.
 inline constexpr const char* kCheckWiring = "Check Ethernet connection wiring";
 inline constexpr const char* kSetInRange = "Set parameter in acceptable range";
 inline constexpr const char* kExecuteAgain = "Re-execution is required";
-/// Why a row of the thesis is only kept for its number.
+/// Condition of a row of the thesis that is kept only for its number.
 inline constexpr const char* kNoSuchStep =
-    "cannot occur any more: there is no such step, bytes are read as they come";
+    "cannot occur any more: this step does not exist, bytes are read as they arrive";
 
 /// One row of a block's error table. The meaning of an id depends on the block.
 struct ErrorRow {
   int id;                   ///< hexadecimal in the thesis: 16#10 is 0x10
   const char* description;  ///< "Error Description" column
   const char* remedy;       ///< "Action" column
-  const char* raised_when;  ///< when this layer raises it, or why it cannot occur any more
+  const char* raised_when;  ///< when this layer raises it, or why it can no longer occur
 };
 
-/// An error that other blocks have too, under the number by which this one tells of it.
+/// An error that other blocks have too (`general`), and the number under which this block reports it (`own`).
 struct OwnNumber {
   int general;
   int own;
@@ -34,44 +33,44 @@ struct OwnNumber {
 class ErrorTable {
  public:
   ErrorTable& row(int id, const char* description, const char* remedy, const char* raised_when);
-  /// Rows with the texts that they have in all blocks. Precondition: shared_errors.cpp has the id.
+  /// Adds rows with the texts that they have in all blocks. Precondition: shared_errors.cpp has the id.
   ErrorTable& shared(std::initializer_list<int> ids);
-  /// The same, raised under another condition here.
+  /// The same for one id, with another condition in this block.
   ErrorTable& shared(int id, const char* raised_when);
 
-  /// Raised under another condition, for a row that is there already.
+  /// Changes the condition of a row that was already added.
   ErrorTable& condition(int id, const char* raised_when);
-  /// Another remedy for a row that is there already.
+  /// Changes the remedy of a row that was already added.
   ErrorTable& remedy(int id, const char* remedy);
 
-  /// The block tells of common failures under numbers of its own, with rows of its own: who finds one names
-  /// it by its general number, as everywhere. Several may have the same own number. In this order they
-  /// decide, before all other rows.
+  /// The block reports these common failures under its own numbers, with its own rows. Code that finds such a
+  /// failure uses its general number, as everywhere. Several failures may have the same own number. They take
+  /// precedence over all other rows, in this order.
   ErrorTable& instead(std::initializer_list<OwnNumber> numbers);
 
-  /// The steps of the thesis that every one of its command blocks has: build, send, receive.
+  /// Steps that every command block of the thesis has: build, send, receive.
   ErrorTable& thesisCommand();
-  /// A command_id that is only echoed. The thesis has no such row in the blocks without a queue tag: it sends
-  /// any number there, as the id of the script.
+  /// A command_id that is only echoed. The thesis has no such row in the blocks without a queue tag: there it
+  /// sends any number, as the id of the script.
   ErrorTable& echoedCommandId();
-  /// What comes between a goal and its script, with any command of this layer.
+  /// Errors between the goal and its script, for any command of this layer.
   ErrorTable& anyCommand();
-  /// To wait for one's turn, with a robot that may move.
+  /// Errors while a goal waits for its turn, with a robot that may move.
   ErrorTable& turn();
-  /// What may move the arm, while exchange_configuration rules.
+  /// For goals that may move the arm, while exchange_configuration is enabled or required.
   ErrorTable& underInterface();
-  /// What may move the arm, or leave the Listen node, while a cell rules.
+  /// For goals that may move the arm or leave the Listen node, on a node that belongs to a cell.
   ErrorTable& inCell();
-  /// What moves the arm: its plan, and its way from the acceptance to the tag, or to a stop.
+  /// For goals that move the arm: errors of the plan, and from the acceptance to the tag or to a stop.
   ErrorTable& motion();
-  /// That, and the parameters of a move.
+  /// motion(), and the errors of the parameters of a move.
   ErrorTable& move();
-  /// A target as a pose in a tf frame.
+  /// For a target that is a pose in a tf frame.
   ErrorTable& framedPose();
 
   /// Ordered by id.
   [[nodiscard]] std::vector<ErrorRow> rows() const;
-  /// In the order in which they decide.
+  /// In order of precedence.
   [[nodiscard]] const std::vector<OwnNumber>& ownNumbers() const { return own_numbers_; }
 
  private:

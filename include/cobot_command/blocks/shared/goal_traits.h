@@ -1,4 +1,4 @@
-// What is the same of all goals: how each is carried out, and among which others.
+// Properties that all goals have: how a goal is carried out, and how it relates to other goals.
 #pragma once
 
 #include <optional>
@@ -11,41 +11,46 @@ namespace cobot_command::blocks {
 /// How a goal is carried out.
 enum class Way {
   Link,       ///< makes and keeps the connection
-  Configure,  ///< rules how the layer behaves, for as long as it lives; nothing is sent for it
-  Stop,       ///< stops the robot, at once
-  Beside,     ///< goes out beside whatever is under way, whatever state the robot is in
+  Configure,  ///< sets how the layer behaves while the goal is active; nothing is sent for it
+  Stop,       ///< stops the robot at once
+  Beside,     ///< is sent at once, in parallel with the running command
   Plan,       ///< is answered by planning; nothing is sent
-  Queue       ///< comes when it is its turn
+  Queue       ///< is queued until its turn
 };
 
 struct GoalTraits {
   Way way = Way::Queue;
   int command_id = 0;
   BufferMode buffer_mode = BufferMode::Refuse;
-  bool awaits_motion = false;  ///< Done when its queue tag came back; else when the controller accepted it
-  bool exits_node = false;     ///< ScriptExit behind it
-  bool check_only = false;     ///< to be planned and answered, as with Way::Plan
-  bool may_move = false;       ///< the robot may be moved by it
-  bool halts = false;          ///< it can only take motion away from the robot
-  bool resumes = false;        ///< it lets a robot go on that is held
-  bool ends_blend = false;     ///< a blended motion in front of it goes to its end, but with dynamic blending
-  bool awaits_rest = false;    ///< its turn comes when a blended motion in front of it has come to its end,
-                               ///< as a tag behind that tells
-  bool tried_anyway = false;   ///< Way::Beside: on any connection, also one that is not known to listen
-  bool chains = false;         ///< behind another one of its block it waits, whatever its buffer_mode
-  bool needs_base = false;     ///< a target in a tf frame: the active base has to be known
-  bool needs_plan = false;     ///< it is made of its plan: without one it is refused when its turn comes
-  bool asks_permit = false;    ///< a frame of a program in a cell, which is to leave only with a permit
-  bool needs_standstill = false;             ///< refused, as by another that is Busy, while the robot moves
-  bool needs_automatic = false;              ///< refused while the status stream shows the manual mode
-  std::optional<Duration> reply_timeout;     ///< other than that of the link
-  std::optional<Duration> evidence_timeout;  ///< the same: to be seen at its target, behind its tag
+  bool awaits_motion = false;  ///< Done when its queue tag returns; else when the controller has accepted it
+  bool exits_node = false;     ///< a ScriptExit follows it
+  bool check_only = false;     ///< only planned and answered, as with Way::Plan
+  bool may_move = false;       ///< it may move the robot
+  bool halts = false;          ///< it can only stop or pause the robot
+  bool resumes = false;        ///< it resumes a paused robot
+  /// The preceding blended motion runs to its end first, while exchange_configuration is enabled without
+  /// dynamic blending.
+  bool ends_blend = false;
+  /// Its turn comes when the preceding blended motion has ended, as reported by a tag after that motion.
+  bool awaits_rest = false;
+  /// Way::Beside: is sent on any connection, even if it is not known whether the controller listens, and also
+  /// in an emergency stop.
+  bool tried_anyway = false;
+  bool chains = false;            ///< after another goal of its block it waits, whatever its buffer_mode
+  bool needs_base = false;        ///< a target is in a tf frame: the active base must be known
+  bool needs_plan = false;        ///< it consists of its plan: without one it is refused at its turn
+  bool asks_permit = false;       ///< a frame of a program in a cell, which must be sent only with a permit
+  bool needs_standstill = false;  ///< refused while the robot moves, as if another command were Busy
+  bool needs_automatic = false;   ///< refused while the status stream shows manual mode
+  std::optional<Duration> reply_timeout;  ///< replaces that of the link
+  /// Replaces that of the link: time after its tag in which the status stream must show it at its target.
+  std::optional<Duration> evidence_timeout;
 };
 
-/// Total: what the checks refuse is BufferMode::Refuse here.
+/// Accepts any value; one that the checks refuse becomes BufferMode::Refuse.
 [[nodiscard]] BufferMode bufferModeOf(int buffer_mode);
 
-/// Of the thesis's commands, which all have these three inputs.
+/// For the commands of the thesis, which all have these three inputs.
 template <class Goal>
 [[nodiscard]] GoalTraits traitsOfCommand(const Goal& goal) {
   GoalTraits traits;

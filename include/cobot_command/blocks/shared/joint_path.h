@@ -1,4 +1,4 @@
-// Planned motions as the points of an answer, and the detail of a motion that was only checked.
+// Planned motions as the points of a result, and the detail of a motion that was only checked.
 #pragma once
 
 #include <array>
@@ -22,20 +22,20 @@ struct JointPathPoint {
 
 [[nodiscard]] std::array<double, 6> toArray(const arm::JointVector& joints);
 
-/// See check_only.
+/// Detail of the outcome of a goal with check_only.
 struct CheckedMotion {
   std::vector<JointPathPoint> joint_path;
 };
 
-/// Evenly from the start to `until`, or to the end where that is earlier: at least every 20 ms, but at most
-/// 100 points.
+/// Evenly spaced points from the start to `until`, or to the end if that is earlier: at least every 20 ms,
+/// but at most 100 points.
 [[nodiscard]] std::vector<JointPathPoint> jointPath(const motion::Trajectory& motion,
                                                     Duration until = Duration::max());
 
-/// From its start to its end, both in any case: at least every 20 ms, but at most 5000 points.
+/// Points from the start to the end, both included: at least every 20 ms, but at most 5000 points.
 [[nodiscard]] std::vector<JointPathPoint> wholeJointPath(const path::PathPlan& plan);
 
-/// One behind the other, each as above; time since the start of the first.
+/// Consecutive motions, each as above; time since the start of the first one.
 [[nodiscard]] std::vector<JointPathPoint> jointPath(const std::vector<motion::TrajectoryPtr>& motions);
 
 }  // namespace cobot_command::blocks

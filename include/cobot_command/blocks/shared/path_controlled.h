@@ -1,4 +1,4 @@
-// The sides of a run that paths, and jogs, are controlled by from outside of its goals.
+// Interfaces of a run by which paths and jogs are controlled from outside their goals.
 #pragma once
 
 #include <functional>
@@ -13,55 +13,55 @@
 
 namespace cobot_command::blocks {
 
-/// How fast paths run, and could run.
+/// Feedrate of paths (1: 100 %): present and possible.
 struct PathPace {
-  /// Of what the controller has first; nothing: it has nothing of them.
+  /// Of the first motion that the controller has; nullopt: it has none.
   std::optional<double> running;
-  int next_point = -1;    ///< the first one that is not sent, in the array of its goal; -1: all are
-  int active_point = -1;  ///< that moves the robot, or would next
-  /// With which all that is not sent keeps the rated speeds of the joints.
+  int next_point = -1;    ///< first point that is not sent, in the array of its goal; -1: all are sent
+  int active_point = -1;  ///< point that moves the robot, or will do so next
+  /// Highest feedrate with which all points that are not sent keep the rated speeds of the joints.
   double highest = std::numeric_limits<double>::infinity();
-  double highest_of_all = std::numeric_limits<double>::infinity();  ///< with what is sent
-  bool can_restart = false;  ///< what the controller has can be taken back
-  /// What was taken back is being stopped, or planned from where the robot stands.
+  double highest_of_all = std::numeric_limits<double>::infinity();  ///< the same, including sent points
+  bool can_restart = false;  ///< the motions of the controller can be withdrawn
+  /// The withdrawn motions are being stopped, or planned from the position of the robot.
   bool is_restarting = false;
 };
 
-/// Work that needs nothing of its run, for any thread; what it finds.
+/// Work that needs nothing of its run, for any thread; returns what it found.
 using PathWork = std::function<Detail()>;
 
 class PathControlled {
  public:
-  /// They are so now; told when its turn comes, and behind every event.
+  /// These controls apply now; called at the turn of the run, and after every event.
   virtual void use(const path::PathControls& controls, Instant now) = 0;
-  /// What automatic tracking objects are to be switched to now, so that the next goal can load its points;
-  /// nothing: they stay as they are.
+  /// The states to which automatic tracking objects must be switched now, so that the next goal can load its
+  /// points; nullopt: they stay as they are.
   [[nodiscard]] virtual std::optional<path::TrackingFlags> wantedTracking() const = 0;
   [[nodiscard]] virtual PathPace pace() const = 0;
-  /// What the controller has of it is being stopped, and has to be planned anew, with the rest, from where
-  /// the robot comes to stand.
+  /// The motions that the controller has are being stopped. They must be planned again, with the rest, from
+  /// where the robot stops.
   virtual void restart() = 0;
-  /// The controller has refused to enter a PVT: it makes none.
+  /// The controller has refused to enter a PVT: it executes none.
   [[nodiscard]] virtual bool isPvtRefused() const = 0;
-  /// What has to be planned anew, as the feedrate is another one; asked for once. Until its answer nothing
-  /// more is sent.
+  /// The work of planning again after a change of the feedrate; returned once. Nothing more is sent until
+  /// replanned().
   [[nodiscard]] virtual std::optional<PathWork> takeReplan() = 0;
-  /// The answer; none: it took too long. Returns what speaks against the new feedrate, so that what is loaded
-  /// keeps its old one.
+  /// The answer to takeReplan(); none: it took too long. Returns the objection to the new feedrate: what is
+  /// loaded then keeps its old one.
   [[nodiscard]] virtual std::optional<std::string> replanned(const Detail& found) = 0;
-  /// As far as the robot has come until now.
+  /// The path that the robot has driven up to now.
   [[nodiscard]] virtual path::DrivenPath driven() const = 0;
 
  protected:
   ~PathControlled() = default;
 };
 
-/// The side of a run that is held to run by somebody outside of its goals.
+/// The interface of a run that runs only while an operator or client holds it (hold to run).
 class JogControlled {
  public:
-  /// Somebody still holds it.
+  /// A keep-alive was received.
   virtual void keepAlive(Instant now) = 0;
-  /// The controller has refused to take velocities: it has no licence for them.
+  /// The controller has refused velocities: it has no licence for them.
   [[nodiscard]] virtual bool isVelocityRefused() const = 0;
 
  protected:

@@ -1,4 +1,4 @@
-// Where a plan begins, for goals that are answered by planning.
+// Start and conditions of a plan, for goals that are answered by planning.
 #pragma once
 
 #include <chrono>
@@ -20,28 +20,29 @@ namespace cobot_command::blocks {
 
 class ProgramGuide;
 
-/// Asked between two steps: true, when nobody waits for the plan any more; then any answer will do.
+/// Called between two steps; true: the plan is no longer needed, and any answer is accepted.
 using GiveUp = std::function<bool()>;
 
 struct PlanningScene {
-  const arm::ArmModel* arm = nullptr;  ///< nullptr: no model is known
-  /// The robot when the first command comes, as far as that is known; absent: nothing is.
+  const arm::ArmModel* arm = nullptr;  ///< nullptr: the model is unknown
+  /// The robot when the first command starts, as far as that is known; nullopt: unknown.
   std::optional<planning::ScriptPlanner::Start> start;
-  std::string why_unknown;         ///< the joints of the start, for people; empty: they are known
-  GiveUp give_up;                  ///< may be empty: never
-  tables::DataTables tables = {};  ///< as they are when the planning begins
-  Detail chain = {};       ///< of the run that the goal is to join (GoalChain::end); none: it is the first
-  PathSettings path = {};  ///< how paths are loaded
-  std::shared_ptr<const path::DrivenPath> driven = {};  ///< of the last path; nullptr: none is known
+  /// Why the joints at the start are unknown, for people; empty: they are known.
+  std::string why_unknown;
+  GiveUp give_up;                  ///< may be empty: the planning is never given up
+  tables::DataTables tables = {};  ///< at the start of the planning
+  Detail chain = {};               ///< of the run that the goal joins (GoalChain::end); none: it is the first
+  PathSettings path = {};          ///< how paths are loaded
+  std::shared_ptr<const path::DrivenPath> driven = {};  ///< of the last path; nullptr: unknown
   double feedrate = 1.0;                                ///< of paths
-  double speed_share = 1.0;          ///< of the speeds that moves give, (0, 1]: the speed override
-  bool is_pvt_refused = false;       ///< the controller has refused to enter one
-  bool is_velocity_refused = false;  ///< the controller has refused to take velocities
-  VelocityModes velocities = {};     ///< that may be used
-  Duration jog_stop_time = std::chrono::milliseconds(200);  ///< that it needs to bring the arm to rest
-  double angle_tolerance = 0.0017453;          ///< within this of a target a joint is there [rad]
-  std::shared_ptr<ProgramGuide> program = {};  ///< of the robot in its cell; nullptr: it is in none
-  int number = 1;                              ///< the goal would be so many-th of its block that is accepted
+  double speed_share = 1.0;          ///< the speed override: share of the speeds of moves, (0, 1]
+  bool is_pvt_refused = false;       ///< the controller has refused to enter a PVT
+  bool is_velocity_refused = false;  ///< the controller has refused velocities
+  VelocityModes velocities = {};     ///< velocities that may be used
+  Duration jog_stop_time = std::chrono::milliseconds(200);  ///< time it needs to bring the arm to rest
+  double angle_tolerance = 0.0017453;          ///< a joint within this of its target has reached it [rad]
+  std::shared_ptr<ProgramGuide> program = {};  ///< of the robot in its cell; nullptr: it is in no cell
+  int number = 1;  ///< sequence number this goal would get within its block, if accepted
 };
 
 }  // namespace cobot_command::blocks

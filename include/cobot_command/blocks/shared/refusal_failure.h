@@ -1,4 +1,4 @@
-// A motion that cannot be made, as an error of the catalogue.
+// Converts the refusal of a motion into an error of the catalogue.
 #pragma once
 
 #include "cobot_command/blocks/shared/failure.h"

@@ -1,4 +1,4 @@
-// What the robot itself is found to be in, as errors of the catalogue.
+// Errors of the catalogue for the state of the robot itself.
 #pragma once
 
 #include "cobot_command/blocks/shared/failure.h"
@@ -6,15 +6,15 @@
 
 namespace cobot_command::blocks {
 
-/// What ends everything that is under way (16#99).
+/// Ends all running commands (16#99).
 [[nodiscard]] Failure emergencyStop();
 
-/// What a stopped project has to do with the loss of the link, for its error: that has another remedy. Each
-/// frame may show it; it is told once.
+/// Adds to the error of a lost link that the project was stopped, which has another remedy. Each frame may
+/// show it; it is added once.
 void tellStoppedProject(const robot::RobotWatch& robot, Failure& loss);
 
-/// 16#222 with the error that the robot shows. The way out is another one when the arm carries too much: the
-/// next motion would only fail again.
+/// 16#222 with the error that the robot shows. The remedy differs if the payload is too heavy, because the
+/// next motion would fail again.
 [[nodiscard]] Failure robotError(const robot::RobotWatch& robot);
 
 }  // namespace cobot_command::blocks

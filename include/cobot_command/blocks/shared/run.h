@@ -1,9 +1,9 @@
-// A goal under way, from its turn to its one end.
+// A running goal, from its turn to its one end.
 //
-// It says which command is to be sent next, and is told how that went and what becomes of the robot; sending
-// is the arbiter's. So every command lives on the wire in the same way, whatever block it is of.
+// A run returns the command to send next, and is notified of the result and of the state of the robot. The
+// arbiter does the sending. So every command is sent in the same way, whatever its block.
 //
-// Other goals may join it on its way: then it is a chain, and each of them has its own end.
+// Other goals may join a run: it is then a chain, and each of its goals has its own end.
 #pragma once
 
 #include <cstddef>
@@ -34,27 +34,27 @@ struct GoalEnd {
   Outcome outcome;
 };
 
-/// What goals are told by the run that serves them, until it is taken.
+/// Reports of a run to the goals that it serves, until they are taken.
 class RunReports {
  public:
   explicit RunReports(GoalId goal) : goal_(goal) {}
 
-  /// The first of them to end.
+  /// The goal that ends first.
   [[nodiscard]] GoalId goal() const { return goal_; }
   void tell(GoalId goal, Progress progress) { progress_.push_back({goal, std::move(progress)}); }
-  /// What is to be known of commands that have ended: all goals that end from now on tell it.
+  /// Remarks on commands that have ended: all goals that end from now on report them.
   void remark(const Remarks& remarks) { remarks_.add(remarks); }
   [[nodiscard]] const Remarks& remarks() const { return remarks_; }
-  /// Of a kind of its block's own.
+  /// Published for all clients; the type belongs to the block.
   void tellEveryone(Detail news) { news_.push_back(std::move(news)); }
-  /// That goal has ended, while others go on. Precondition: `first`, the first to end from now on, is one of
-  /// these.
+  /// That goal has ended, while others continue. Precondition: `first`, the goal that ends first from now on,
+  /// is one of the others.
   void end(GoalId goal, Outcome outcome, GoalId first) {
     outcome.remarks = remarks_;
     ended_.push_back({goal, std::move(outcome)});
     goal_ = first;
   }
-  /// What is new since the last call.
+  /// New reports since the last call.
   [[nodiscard]] std::vector<GoalProgress> takeProgress() { return std::exchange(progress_, {}); }
   [[nodiscard]] std::vector<Detail> takeNews() { return std::exchange(news_, {}); }
   [[nodiscard]] std::vector<GoalEnd> takeEnded() { return std::exchange(ended_, {}); }
@@ -67,19 +67,19 @@ class RunReports {
   std::vector<GoalEnd> ended_;
 };
 
-/// The side of a run that other goals join.
+/// The interface of a run that other goals join.
 class GoalChain {
  public:
-  /// Whether a goal of that block, the next one in the queue, is to join it now.
+  /// True: a goal of that block, the next one in the queue, must join the run now.
   [[nodiscard]] virtual bool isJoinedBy(Block block) const = 0;
-  /// Where a goal begins that joins it, for the plan of that one (PlanningScene::chain).
+  /// Where a joining goal begins, for its plan (PlanningScene::chain).
   [[nodiscard]] virtual Detail end() const = 0;
-  /// `planned`: what plan() found of it. False: the chain has gone on since, so that it has to be planned
-  /// anew.
+  /// `planned`: the result of plan(). False: the chain has changed since, and the goal must be planned again.
   [[nodiscard]] virtual bool join(GoalId goal, const Outcome& planned, Instant now) = 0;
-  /// Takes a goal out, and those behind it, for which nothing needs to be stopped. False: cancel it all.
+  /// Removes a goal and the goals after it, if nothing must be stopped for that. False: cancel the whole
+  /// chain.
   [[nodiscard]] virtual bool takeOut(GoalId goal, const std::string& why, Instant now) = 0;
-  /// How many of its goals nothing was sent of yet.
+  /// Number of its goals of which nothing was sent yet.
   [[nodiscard]] virtual std::size_t waiting() const = 0;
 
  protected:
@@ -94,25 +94,26 @@ class Run {
   Run& operator=(const Run&) = delete;
 
   [[nodiscard]] Block block() const { return block_; }
-  /// Of a chain the one that is the first to end.
+  /// For a chain: the goal that ends first.
   [[nodiscard]] GoalId goal() const { return reports_.goal(); }
 
-  /// The goal is accepted with its first command, or refused with it; else as its turn comes.
+  /// True: the goal is accepted or refused together with its first command; false: it is accepted at its
+  /// turn.
   [[nodiscard]] virtual bool isOneCommand() const { return false; }
-  /// Its blended moves may go on behind a command of it that fails: they are to be stopped then.
+  /// True: its blended moves may continue after one of its commands fails; they must then be stopped.
   [[nodiscard]] virtual bool leavesMotions() const { return false; }
-  /// It moves nothing: what is planned behind it begins where the robot is.
+  /// True: it moves nothing; what is planned after it begins at the position of the robot.
   [[nodiscard]] virtual bool leavesTheRobot() const { return false; }
-  /// So many of its commands may be at the controller at once.
+  /// Number of its commands that may be at the controller at once.
   [[nodiscard]] virtual std::size_t window() const { return 1; }
-  /// What has to be sent now; nothing while it waits for what is under way, or when there is nothing to send.
+  /// The command to send now; nullopt: it waits for running commands, or has nothing to send.
   [[nodiscard]] virtual std::optional<Command> next() const { return std::nullopt; }
-  /// Whether the exit_node of the command that is done now counts.
+  /// Whether the exit_node of the command that has just ended counts.
   [[nodiscard]] virtual bool leavesNode() const { return true; }
-  // What becomes of the command of that key.
+  // Events of the command with that key.
   virtual void commandStarted(CommandKey /*key*/) {}
   virtual void commandProgressed(CommandKey /*key*/, const Progress& /*progress*/, Instant /*now*/) {}
-  /// It has come to that one of its marks (Order), and past all before that.
+  /// It has reached this mark (Order), and has passed all before it.
   virtual void commandPassed(CommandKey /*key*/, std::size_t /*mark*/, Instant /*now*/) {}
   virtual void commandEnded(CommandKey /*key*/, const Outcome& /*outcome*/, Instant /*now*/) {}
   /// The command could not be sent.
@@ -120,53 +121,55 @@ class Run {
     end(toOutcome(block(), Ending::Aborted, failure));
   }
 
-  /// Why what it has at the controller is to be stopped, by its own finding; nothing: it is not.
+  /// Why its commands at the controller must be stopped, as found by the run itself; nullopt: they need not.
   [[nodiscard]] virtual std::optional<std::string> stopsFor() const { return std::nullopt; }
 
-  /// When a command is under way that one is cancelled too; its end is this one's.
+  /// A running command is cancelled too; its end is the end of the run.
   virtual void cancel(const std::string& why, Instant now) = 0;
-  /// The same, by a stop or a goal that takes over, and not by its client.
+  /// The same for a stop, or for a goal that takes over, instead of a cancel by the client.
   virtual void interrupt(const std::string& why, Instant now) { cancel(why, now); }
-  /// Ends in its own time. Changes nothing behind a cancel.
+  /// Ends without a stop. No effect after a cancel.
   virtual void finish(FinishAfter /*after*/, Instant /*now*/) {}
-  /// `patience`: how long the status stream may take to tell why; nothing: there is none.
+  /// `patience`: time for the status stream to show the reason; nullopt: there is no status stream.
   virtual void linkLost(const std::string& /*reason*/, std::optional<Duration> /*patience*/,
                         Instant /*now*/) {}
-  /// It is its turn, a command of it has ended, a status frame came, or the status stream stopped.
+  /// Called at its turn, when a command of it has ended, when a status frame arrives, and when the status
+  /// stream stops.
   virtual void robotChanged(const robot::RobotWatch& /*robot*/, Instant /*now*/) {}
   virtual void advance(Instant /*now*/) {}
   [[nodiscard]] virtual std::optional<Instant> nextDeadline() const { return std::nullopt; }
 
-  /// How it goes on behind an interruption, in which the robot is stopped, may be moved elsewhere, and is
+  /// How the run continues after an interruption. The robot is stopped, may be moved elsewhere, and is
   /// brought back.
   enum class GoesOn {
-    ByCommands,  ///< what is left of the commands that the controller had is sent for it
-    ByItself,    ///< it plans what is left anew (PathControlled::restart())
+    ByCommands,  ///< the remaining commands of the controller are sent again for it
+    ByItself,    ///< it plans the rest again (PathControlled::restart())
     Never
   };
   [[nodiscard]] virtual GoesOn goesOn() const { return GoesOn::ByCommands; }
-  /// Its time stands still until it is put back, and it is told of nothing.
+  /// Suspends the run: its time stops until putBack(), and it receives no events.
   virtual void setAside(Instant /*now*/) {}
   virtual void putBack(Instant /*now*/) {}
 
-  /// About where the robot is on the way that the last path has driven; nothing: it does not go along that.
+  /// Approximate place of the robot on the path that was last driven; nullopt: the run does not follow that
+  /// path.
   [[nodiscard]] virtual std::optional<Duration> placeOnTheWay() const { return std::nullopt; }
 
   /// nullptr: it loads no paths.
   [[nodiscard]] virtual PathControlled* paths() { return nullptr; }
 
-  /// nullptr: nobody holds it to run.
+  /// nullptr: it is no hold to run.
   [[nodiscard]] virtual JogControlled* jog() { return nullptr; }
 
   /// nullptr: no other goal joins it.
   [[nodiscard]] virtual GoalChain* chain() { return nullptr; }
   [[nodiscard]] virtual bool serves(GoalId goal) const { return goal == this->goal(); }
 
-  /// The end of the last of its goals, and so its own; nothing as long as it is Busy.
+  /// The end of the last of its goals, and so of the run; nullopt: it is Busy.
   [[nodiscard]] const std::optional<Outcome>& outcome() const { return outcome_; }
-  /// It ended so that nothing behind it may go on. Precondition: it has an outcome.
+  /// True: it ended in a way that ends the queued commands too. Precondition: it has an outcome.
   [[nodiscard]] virtual bool failed() const { return outcome_->ending == Ending::Aborted; }
-  /// Of its goals; of those the ends that have ended before it.
+  /// Of all its goals; and the ends of those goals that have ended before the run.
   [[nodiscard]] RunReports& reports() { return reports_; }
 
  protected:

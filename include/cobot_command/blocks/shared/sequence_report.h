@@ -1,5 +1,4 @@
-// What the check or the execution of steps, one behind the other, has found of each: a detail of the blocks
-// that have steps.
+// The results of checking or executing consecutive steps: a detail of the blocks that have steps.
 #pragma once
 
 #include <array>
@@ -16,31 +15,32 @@
 namespace cobot_command::blocks {
 
 struct StepReport {
-  int error_id = 0;               ///< of the catalogue of the step's own block; 0: nothing wrong
+  int error_id = 0;               ///< from the catalogue of the step's own block; 0: no error
   std::string error_description;  ///< and the remedy
-  Duration
-      start{};  ///< since the start of the sequence; earlier than the end of the step before when blended
-  Duration duration{};  ///< of the step from rest to rest, zero for what is no motion
-  Duration done{};      ///< since the start of the sequence, as executed; zero: not, or nobody looked
-  /// The first offending point, TCP in the active base, mm and degrees; where one is to blame.
+  /// Since the start of the sequence; before the end of the previous step if the two blend.
+  Duration start{};
+  Duration duration{};  ///< of the step from rest to rest, zero if it is no motion
+  /// End of the step as executed, since the start of the sequence; zero: not executed, or not measured.
+  Duration done{};
+  /// The first point that causes the error, if there is one: TCP in the active base [mm, deg].
   std::optional<std::array<double, 6>> offending_point;
-  std::vector<JointPathPoint> joint_path;  ///< when it was checked; time since the start of the step
+  std::vector<JointPathPoint> joint_path;  ///< if it was checked; time since the start of the step
 };
 
 struct SequenceReport {
-  std::vector<StepReport> steps;  ///< of every one that was looked at
+  std::vector<StepReport> steps;  ///< of every step that was checked or executed
   int failed_step = -1;           ///< from 0; -1: none
 };
 
-/// Of a sequence of which nothing is known but the step that is to blame, from 0; `error_id`: of the step's
-/// own block, 0 when what is wrong has no error there.
+/// Report of a sequence that contains only the step that caused the error (index from 0). `error_id`: from
+/// the step's own block, 0 if that has no such error.
 [[nodiscard]] SequenceReport blaming(std::size_t step, int error_id = 0, std::string error_description = "");
 
-/// 16#251: the step `step` (from 0) of `count` cannot be made, for the reason `own`, that of its own block.
-/// With a SequenceReport that blames it.
+/// 16#251: the step `step` (from 0) of `count` cannot be executed, for the reason `own`, which is of the
+/// step's own block. Includes a SequenceReport with that step.
 [[nodiscard]] Failure stepRefused(std::size_t step, std::size_t count, const Outcome& own);
 
-/// Of a number of steps that may not be (16#250).
+/// Text for an invalid number of steps (16#250).
 [[nodiscard]] std::string foundSteps(std::size_t count, std::size_t most);
 
 }  // namespace cobot_command::blocks

@@ -1,5 +1,5 @@
-// Waits in its turn until a digital input of the controller has a value, by the status stream. Nothing is
-// sent.
+// A queued wait until a digital input of the controller has a value, according to the status stream. Nothing
+// is sent.
 #pragma once
 
 #include <memory>
@@ -17,8 +17,8 @@ struct WaitForInputGoal {
 
   std::string module;  ///< "ControlBox" or "EndModule"
   int input = 0;       ///< 0..15 of the ControlBox, 0..3 of the EndModule
-  bool value = false;  ///< that is waited for
-  double timeout = 0;  ///< from its turn on, without the time of a pause [s], 0..86400; 0: no end
+  bool value = false;  ///< the value to wait for
+  double timeout = 0;  ///< from its turn on, without the time of pauses [s], 0..86400; 0: no timeout
   int buffer_mode = 0;
 };
 

@@ -1,4 +1,4 @@
-// Waits in its turn until a time is over (SRCI: WaitTime). Nothing is sent for the time itself.
+// A queued wait for a time (SRCI: WaitTime). Nothing is sent for the time itself.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ struct WaitTimeGoal {
   static constexpr const char* kName = "wait_time";
   [[nodiscard]] static ErrorTable errors();
 
-  double time = 0;  ///< from its turn on, without the time of a pause [s], 0..86400
+  double time = 0;  ///< from its turn on, without the time of pauses [s], 0..86400
   int buffer_mode = 0;
 };
 

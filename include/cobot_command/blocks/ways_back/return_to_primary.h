@@ -1,4 +1,5 @@
-// Back to where motions were interrupted, so that they can go on: ReturnToPrimary of SRCI.
+// Moves the robot back to where its motions were interrupted, so that they can continue: ReturnToPrimary of
+// SRCI.
 // doc/actions/return_to_primary.md.
 #pragma once
 
@@ -11,22 +12,23 @@ namespace cobot_command::blocks {
 
 enum class ReturnMode {
   InterruptPosition = 0,  ///< where the robot came to rest
-  EndPosition = 1         ///< the end of the motion that it was at
+  EndPosition = 1         ///< the end of the interrupted motion
 };
 enum class ReturnTrajectory { Linear = 1, Ptp = 2 };
 
-/// Where a way back ends.
+/// Target of the motion back.
 struct ReturnTarget {
   arm::JointVector joints;  ///< [rad]
-  arm::Pose tcp;            ///< with the TCP of now, in the robot base [m]
-  double distance_mm = 0;   ///< of the TCP, from where it is now
+  arm::Pose tcp;            ///< with the present TCP, in the robot base [m]
+  double distance_mm = 0;   ///< distance of the TCP from its present position
 };
 
-/// What is known of the interruption; the core says so.
+/// The core's data about the interruption.
 struct ReturnPlace {
   ReturnTarget interrupted;
-  std::optional<ReturnTarget> segment_end;  ///< nothing: the robot was at no motion
-  std::optional<Failure> difference;  ///< of TCP, load or base from those of then; nothing: there is none
+  std::optional<ReturnTarget> segment_end;  ///< nullopt: the robot executed no motion
+  /// Difference of TCP, load or base from those of the interruption; nullopt: none.
+  std::optional<Failure> difference;
 };
 
 struct ReturnToPrimaryGoal {
@@ -36,9 +38,9 @@ struct ReturnToPrimaryGoal {
   int return_mode = 0;        ///< ReturnMode
   int trajectory_mode = 1;    ///< ReturnTrajectory
   double speed = 0;           ///< 0..100 %; 0: 10
-  double distance_limit = 0;  ///< [mm] that the TCP may be away at most; 0: any
+  double distance_limit = 0;  ///< [mm] largest allowed distance of the TCP; 0: no limit
   bool allow_differences = false;
-  std::optional<ReturnPlace> place;  ///< nothing: nothing is interrupted
+  std::optional<ReturnPlace> place;  ///< nullopt: nothing is interrupted
 };
 
 [[nodiscard]] GoalTraits traitsOf(const ReturnToPrimaryGoal& goal);

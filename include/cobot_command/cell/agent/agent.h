@@ -1,9 +1,9 @@
-// A robot's own side of its cell: knows how far its program is, asks the supervisor for what comes next,
-// lets each frame leave only with its permit, and tells of releases only what is measured (cell.md,
-// section 6).
+// The agent of a robot in its cell. It tracks the robot's place in the program, requests the next events from
+// the supervisor, permits each frame only with its grant, and reports a release only when it is measured
+// (doc/cell.md).
 //
-// It leads the run_program goals of the robot's command core, and is the gate of that core. Pure: events and
-// the time in, reports out. One thread owns it, the core's.
+// It guides the run_program goals of the robot's command core, and is the gate of that core. Pure: its inputs
+// are events and the time, its outputs reports. Owned by one thread, that of the core.
 #pragma once
 
 #include <cstdint>
@@ -25,18 +25,18 @@ namespace cobot_command::cell {
 
 class Agent final : public blocks::ProgramGuide {
  public:
-  /// `session`: drawn anew at each start of the robot's node, above 0. A fault is a sentence: there is no
-  /// such robot in the artifact.
+  /// `session`: random number above 0, new at each start of the robot's node. A fault is a sentence: the
+  /// artifact has no such robot.
   [[nodiscard]] static Result<std::shared_ptr<Agent>, std::string> of(
       std::shared_ptr<const Artifact> artifact, const std::string& robot, std::uint64_t session);
   ~Agent() override;
 
-  // --- What happens.
+  // --- Inputs.
   /// A frame of the status stream.
   void observe(const link::RobotStatus& status, Instant now);
-  /// Why nothing can be sent to the robot; empty: it can.
+  /// Why nothing can be sent to the robot; empty: sending is possible.
   void linked(const std::string& why_not, Instant now);
-  /// The supervisor tells how things stand; `number`: of its states.
+  /// A state of the supervisor was received; `number`: sequence number of the state.
   void hear(const CellStatus& state, std::uint64_t number, Instant now);
   void advance(Instant now);
 
@@ -44,12 +44,12 @@ class Agent final : public blocks::ProgramGuide {
   [[nodiscard]] std::optional<blocks::Failure> objectionTo(const command::Departure& departure,
                                                            Instant now) const;
 
-  /// The supervisor listens to it.
+  /// True if the supervisor has admitted the robot.
   [[nodiscard]] bool isLetIn() const;
 
-  /// That is to be told now; nothing: there is nothing new, and the period is not over.
+  /// The report to send now; std::nullopt: nothing is new, and the period is not over.
   [[nodiscard]] std::optional<RobotReport> takeReport(Instant now);
-  /// When advance() and takeReport() have something to do, if nothing else happens before.
+  /// The time of the next advance() and takeReport(), if nothing else happens before.
   [[nodiscard]] Instant nextReport() const;
 
   // --- run_program.

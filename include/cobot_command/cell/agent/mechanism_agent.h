@@ -1,7 +1,9 @@
-// A mechanism's own side of its cell: as a robot's, for what moves along or about one axis (cell.md, M3).
+// The agent of a mechanism in its cell: as that of a robot, for bodies that move along or about one axis
+// (doc/cell.md).
 //
-// Whoever drives the mechanism, a PLC say, tells where it is, and moves it to nothing but the target that
-// this permits. Pure: events and the time in, target and reports out. One thread owns it.
+// The drive of the mechanism, such as a PLC, reports its position, and moves it only to the target that this
+// agent permits. Pure: its inputs are events and the time, its outputs the target and reports. Owned by one
+// thread.
 #pragma once
 
 #include <cstdint>
@@ -19,30 +21,30 @@ namespace cobot_command::cell {
 
 class MechanismAgent {
  public:
-  /// `session`: drawn anew at each start of its node, above 0. A fault is a sentence: there is no such
-  /// mechanism in the artifact.
+  /// `session`: random number above 0, new at each start of its node. A fault is a sentence: the artifact has
+  /// no such mechanism.
   [[nodiscard]] static Result<std::unique_ptr<MechanismAgent>, std::string> of(
       std::shared_ptr<const Artifact> artifact, const std::string& mechanism, std::uint64_t session);
   ~MechanismAgent();
 
-  // --- What happens.
-  /// It is at that position [m or rad], as measured.
+  // --- Inputs.
+  /// The measured position [m or rad].
   void measure(double position, bool moving, Instant now);
-  /// The supervisor tells how things stand; `number`: of its states.
+  /// A state of the supervisor was received; `number`: sequence number of the state.
   void hear(const CellStatus& state, std::uint64_t number, Instant now);
-  /// Whether it sets out on the paths of its program, one after the other; false from the start. What was
-  /// begun goes to its end.
+  /// True: it runs the paths of its program, one after the other; initially false. A started path runs to its
+  /// end.
   void run(bool on);
-  /// It has to stay where it is, until it was recovered.
+  /// It must stay where it is until it is recovered.
   void stop();
 
-  // --- What follows.
-  /// Where it has to go, or to stay, now [m or rad]; nothing: it was not measured yet.
+  // --- Outputs.
+  /// The position to move to, or to stay at, now [m or rad]; std::nullopt: not measured yet.
   [[nodiscard]] std::optional<double> target() const;
-  /// That is to be told now; nothing: there is nothing new, and the period is not over.
+  /// The report to send now; std::nullopt: nothing is new, and the period is not over.
   [[nodiscard]] std::optional<RobotReport> takeReport(Instant now);
   [[nodiscard]] Instant nextReport() const;
-  /// In its program: "OUT", or "FEED +1".
+  /// Its place in the program: "OUT", or "FEED +1".
   [[nodiscard]] const std::string& place() const;
   [[nodiscard]] int cyclesDone() const;
 

@@ -1,7 +1,8 @@
-// What is made of a cell file, proved, and run: zones, programs, supervisors, and what each robot has to know
-// of its own frames.
+// The verified result of a cell file that is used at run time: zones, programs, supervisors, and the frames
+// of each robot.
 //
-// It is bound to the file by its hash; nothing runs on one that does not fit (cell.md, M5). SI [m, rad, s].
+// Its hash binds it to the file; nothing runs with an artifact that does not match (doc/cell.md). SI [m, rad,
+// s].
 #pragma once
 
 #include <optional>
@@ -25,7 +26,7 @@
 
 namespace cobot_command::cell {
 
-/// A piece as a robot's side needs it: where its joints are, and which zones it touches.
+/// A piece as the agent of a robot needs it: the range of its joints, and the zones that it touches.
 struct ArtifactPiece {
   Piece::Kind kind = Piece::Kind::Motion;
   std::size_t frame = 0;
@@ -38,17 +39,18 @@ struct ArtifactPiece {
 
 struct ArtifactFrame {
   std::size_t step = 0;
-  std::vector<std::string> lines;  ///< exactly what may be sent, without queue tag
-  /// Where its first motion starts, and the frames in which it was planned; nothing, where it does not move.
+  std::vector<std::string> lines;  ///< exactly the lines that may be sent, without queue tag
+  /// Start of its first motion, and the base and TCP with which it was planned; std::nullopt if it has no
+  /// motion.
   std::optional<arm::JointVector> start;
   arm::Pose base = arm::Pose::Identity();
   arm::Pose tcp = arm::Pose::Identity();
   bool stands = true;
-  std::vector<std::string> carried;               ///< parts, while it moves; ascending
-  std::optional<blocks::SetOutputGoal> output;    ///< is set once the robot stands at its end
-  std::optional<blocks::WaitForInputGoal> input;  ///< then it is waited for
-  double dwell = 0.0;                             ///< then [s]
-  Duration begin{};                               ///< since the path began, when nothing waits
+  std::vector<std::string> carried;               ///< parts carried during the motion; ascending
+  std::optional<blocks::SetOutputGoal> output;    ///< set when the robot is at standstill at its end
+  std::optional<blocks::WaitForInputGoal> input;  ///< then the robot waits for it
+  double dwell = 0.0;                             ///< then the robot dwells [s]
+  Duration begin{};                               ///< since the start of the path, without waiting
   Duration end{};
 };
 
@@ -70,13 +72,13 @@ struct ArtifactRobot {
   std::string model;
   std::string name_space;
   arm::Pose base = arm::Pose::Identity();  ///< in the world
-  std::vector<FlangeCapsules> tool;        ///< always there
-  std::vector<FlangeCapsules> parts;       ///< that it carries somewhere
+  std::vector<FlangeCapsules> tool;        ///< always mounted
+  std::vector<FlangeCapsules> parts;       ///< carried somewhere in its program
   std::vector<ArtifactStation> stations;   ///< as in the program
   std::vector<ArtifactPath> paths;
 };
 
-/// A piece of a mechanism: between which values of its axis [m or rad] it is, as it passes them.
+/// A piece of a mechanism: the range of its axis [m or rad], in the order of motion.
 struct ArtifactAxisPiece {
   double from = 0.0;
   double to = 0.0;
@@ -84,7 +86,7 @@ struct ArtifactAxisPiece {
 };
 
 struct ArtifactMechanismPath {
-  std::vector<ArtifactAxisPiece> pieces;  ///< the last one is its rest at the end
+  std::vector<ArtifactAxisPiece> pieces;  ///< the last one is the rest at the end
   std::vector<Hold> holds;
   std::vector<ZonePlace> places;  ///< by step of the path's program; the frame is always 0
   std::optional<Duration> duration;
@@ -107,24 +109,24 @@ struct Artifact {
   CellProgram program;
   std::vector<Zone> zones;
   std::vector<ArtifactRobot> robots;          ///< the first ones of the program
-  std::vector<ArtifactMechanism> mechanisms;  ///< those behind them
+  std::vector<ArtifactMechanism> mechanisms;  ///< the ones after the robots
   Policy policy = Policy::Supervisor;
   std::vector<PartSupervisor> supervisors;
-  double least_distance = 0.0;  ///< of the soundness check [m]
-  CellText source;              ///< what all of this is made of
-  /// Of all of this but `source`: by that the nodes of a cell know that they have the same artifact. Of one
-  /// that was read; empty before it is written.
+  double least_distance = 0.0;  ///< from the soundness check [m]
+  CellText source;              ///< the texts from which the artifact was made
+  /// Hash of everything except `source`. The nodes of a cell compare it to ensure that they have the same
+  /// artifact. Only set in an artifact that was read; empty before it is written.
   std::string digest;
 };
 
-/// Three lines: what was made, what it was made of, and a checksum of both. The same bytes for the same
-/// artifact, on any locale.
+/// Three lines: the result, its source texts, and a checksum of both. The same artifact gives the same bytes
+/// in every locale.
 [[nodiscard]] std::string toBytes(const Artifact& artifact);
 
-/// That of Artifact, of the bytes of one: SHA-256 of the first line.
+/// The digest of an artifact from its bytes: SHA-256 of the first line.
 [[nodiscard]] std::string digestOf(std::string_view bytes);
 
-/// A fault is a sentence: it is damaged, or of another version.
+/// A fault is a sentence: the artifact is damaged, or has another version.
 [[nodiscard]] Result<Artifact, std::string> fromBytes(std::string_view bytes);
 
 }  // namespace cobot_command::cell

@@ -1,5 +1,5 @@
-// Whether an artifact may be run, whoever has written it: all that it has is made anew of the cell that it
-// holds, and compared.
+// Checks whether an artifact may be used, independent of its author: everything is computed again from the
+// cell in it, and compared.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@
 namespace cobot_command::cell {
 
 struct ArtifactCheck {
-  std::vector<std::string> faults;  ///< each a sentence; none: it may be run
-  std::vector<std::string> report;  ///< what was found, a line each
+  std::vector<std::string> faults;  ///< one sentence each; empty: it may be used
+  std::vector<std::string> report;  ///< results, one line each
 };
 
-/// Reads the cell's file in it, plans, sweeps and cuts it anew, finds its zones and holds, checks that they
-/// are enough, and compares all of it with what the artifact has: numbers to 1e-9, as sines differ in their
-/// last digits from machine to machine, everything else exactly. Its supervisors are not synthesized anew,
-/// but verified. It takes about as long as the build.
+/// Reads the cell file in the artifact, plans, sweeps and cuts it again, finds its zones and holds, and
+/// checks that these are sufficient. Compares all of it with the artifact: numbers to 1e-9, because sines
+/// differ in their last digits between machines, everything else exactly. The supervisors are not synthesized
+/// again, but verified. It takes about as long as the build.
 ///
-/// A checksum that fits says nothing of that: whoever changes an artifact can write one.
+/// A valid checksum does not replace this check, because anyone who changes an artifact can write a new one.
 [[nodiscard]] ArtifactCheck checkArtifact(const Artifact& artifact, unsigned threads);
 
 }  // namespace cobot_command::cell

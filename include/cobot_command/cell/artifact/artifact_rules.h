@@ -1,4 +1,4 @@
-// What a supervisor decides by, and where it knows robots to be, out of an artifact.
+// The decision rules of a supervisor, created from an artifact.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace cobot_command::cell {
 
-/// With another policy than that of the artifact its supervisors are found anew. A fault is a sentence.
+/// With a policy different from that of the artifact, the supervisors are computed again. A fault is a
+/// sentence.
 [[nodiscard]] Result<Rules, std::string> rulesOf(const Artifact& artifact, Policy policy);
 
 }  // namespace cobot_command::cell

@@ -1,4 +1,4 @@
-// From a cell file to a verified artifact, stage by stage.
+// Builds a verified artifact from a cell file, stage by stage.
 #pragma once
 
 #include <functional>
@@ -15,14 +15,14 @@
 namespace cobot_command::cell {
 
 enum class BuildStage {
-  Plan,        ///< every step
+  Plan,        ///< all steps
   Sweep,       ///< claims
-  Zones,       ///< and holds
-  Split,       ///< motions cut before they enter a zone, and all of the above anew
-  Soundness,   ///< whether zones are enough
-  Instrument,  ///< events and automata
+  Zones,       ///< zones and holds
+  Split,       ///< cuts motions before they enter a zone, and repeats all stages above
+  Soundness,   ///< checks whether the zones are sufficient
+  Instrument,  ///< creates events and automata
   Synthesize,
-  Verify  ///< of what is read back from the bytes
+  Verify  ///< verifies the artifact read back from its bytes
 };
 inline constexpr BuildStage kBuildStages[] = {
     BuildStage::Plan,      BuildStage::Sweep,      BuildStage::Zones,      BuildStage::Split,
@@ -31,22 +31,22 @@ inline constexpr BuildStage kBuildStages[] = {
 
 class CellBuild {
  public:
-  /// Policy::Supervisor, or SafeOrder on request.
+  /// Policy::Supervisor, or SafeOrder if requested.
   CellBuild(Cell cell, Policy policy, unsigned threads);
 
-  /// Does the next stage; the faults, each a sentence, end the build. Precondition: the stage before it had
-  /// none.
+  /// Runs the next stage. Any fault, a sentence, ends the build. Precondition: the previous stage had no
+  /// fault.
   [[nodiscard]] std::vector<std::string> run(BuildStage stage);
-  /// What a stage found, a line each. Precondition: it was done.
+  /// The results of a stage, one line each. Precondition: the stage was run.
   [[nodiscard]] std::vector<std::string> report(BuildStage stage) const;
 
   [[nodiscard]] const Cell& cell() const { return cell_; }
   [[nodiscard]] const std::vector<Zone>& zones() const { return zones_; }
   [[nodiscard]] const std::vector<RobotClaim>& claims() const { return claims_; }
   [[nodiscard]] const CellModel& model() const { return model_; }
-  /// All that was made so far. Precondition: all stages up to Instrument were done.
+  /// The results up to this point. Precondition: all stages up to Instrument were run.
   [[nodiscard]] Artifact artifact() const;
-  /// Precondition: all stages up to Synthesize were done.
+  /// Precondition: all stages up to Synthesize were run.
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
  private:
@@ -58,7 +58,7 @@ class CellBuild {
   [[nodiscard]] std::vector<std::string> verify();
   [[nodiscard]] ArtifactRobot robotOf(RobotIndex robot) const;
   [[nodiscard]] ArtifactPath pathOf(RobotIndex robot, std::size_t index) const;
-  /// `user`: of the program, behind the robots.
+  /// `user`: its index in the program, after the robots.
   [[nodiscard]] ArtifactMechanism mechanismOf(const Mechanism& mechanism, RobotIndex user) const;
   [[nodiscard]] std::vector<ZoneIndex> touchedBy(const Piece& piece, RobotIndex user) const;
   [[nodiscard]] std::vector<std::string> reportPlan() const;
@@ -67,7 +67,7 @@ class CellBuild {
   [[nodiscard]] std::vector<std::string> reportSupervisors() const;
 
   Cell cell_;
-  std::string hash_;  ///< of the cell as it was given, not as it was cut
+  std::string hash_;  ///< of the cell as given, before cutting
   Policy policy_;
   unsigned threads_;
   std::vector<PlannedRobot> planned_;

@@ -1,4 +1,4 @@
-// One cycle of a robot from home to home, as it goes when nothing waits.
+// One cycle of a robot from home to home, without waiting.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,11 @@
 
 namespace cobot_command::cell {
 
-/// The first path that is listed at each station, from home on. Nothing: that does not lead back home, so
-/// that a robot that is always granted the first one never ends a cycle.
+/// Follows the first path listed at each station, from home. std::nullopt: these paths do not lead back home,
+/// so a robot that is always granted the first path never ends a cycle.
 [[nodiscard]] std::optional<std::vector<PathIndex>> wayHome(const RobotProgram& program);
 
-/// Along that way. Precondition: the model is that of the artifact's program.
+/// The cycle on these paths. Precondition: the model is that of the artifact's program.
 [[nodiscard]] Result<RobotCycle, std::string> cycleOf(const Artifact& artifact, const CellModel& model,
                                                       RobotIndex robot);
 

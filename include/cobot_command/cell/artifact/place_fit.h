@@ -1,4 +1,4 @@
-// Whether a robot with measured joints can be at a place of its program.
+// Checks whether a robot with measured joints can be at a place of its program.
 #pragma once
 
 #include <cstddef>
@@ -10,25 +10,26 @@
 
 namespace cobot_command::cell {
 
-/// At a station a robot stands where no joint is farther from it [rad].
+/// A robot is at a station if no joint is farther from it than this [rad].
 inline constexpr double kStandsWithin = degToRad(0.5);
 
-/// Pieces of a path, from `first` to before `end`.
+/// Pieces of a path, from `first` up to, not including, `end`.
 struct PieceSpan {
   std::size_t first = 0;
   std::size_t end = 0;
 };
 
-/// Where a robot can be when so many zone steps of the path's program are done: behind the last release, and
-/// in no frame that needs a booking which is still to come.
+/// The pieces in which a robot can be after `behind` zone steps of the path's program: after the last
+/// release, and in no frame that needs a later booking.
 [[nodiscard]] PieceSpan piecesBehind(const ArtifactPath& path, const PathProgram& program,
                                      std::size_t behind);
 
-/// Of the position of a mechanism that was told, as nobody tracks it: [m], or [rad] of one that turns.
+/// Tolerance of the reported position of a mechanism, because it is not tracked: [m], or [rad] for a revolute
+/// axis.
 inline constexpr double kMechanismWithin = 0.005;
 
-/// Whether these joints [rad] are those of a place of that robot, each within `tracking` of what is planned.
-/// Of a mechanism the first one is its position [m or rad].
+/// True if these joints [rad] match a place of that robot, each within `tracking` of the plan. For a
+/// mechanism the first value is its position [m or rad].
 [[nodiscard]] bool placeFits(const Artifact& artifact, RobotIndex robot, const CellPlace& place,
                              const arm::JointVector& joints);
 

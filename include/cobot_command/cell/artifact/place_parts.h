@@ -1,4 +1,4 @@
-// What a robot carries at a place of its program.
+// The parts that a robot carries at a place of its program.
 #pragma once
 
 #include "cobot_command/cell/artifact/artifact.h"
@@ -7,9 +7,9 @@
 
 namespace cobot_command::cell {
 
-/// All parts that it may have at some moment while it is at this place: in any frame that it can be in, and
-/// what it takes or has not set down yet where that ends. Precondition: a robot, and no mechanism, of the
-/// artifact.
+/// All parts that it may carry at any time while it is at this place: in every frame that it can be in,
+/// including parts that it attaches or has not detached yet at the end of that frame. Precondition: a robot
+/// of the artifact, not a mechanism.
 [[nodiscard]] Carried carriedAt(const Artifact& artifact, RobotIndex robot, const CellPlace& place);
 
 }  // namespace cobot_command::cell

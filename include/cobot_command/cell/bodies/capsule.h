@@ -1,7 +1,6 @@
-// Capsules: all that the robots, their tools and what stands around them consist of. Distances in closed
-// form.
+// Capsules: the bodies of robots, tools and their surroundings. Distances in closed form.
 //
-// All of [m], in one frame.
+// All lengths in [m], in one frame.
 #pragma once
 
 #include <cstddef>
@@ -14,46 +13,47 @@
 
 namespace cobot_command::cell {
 
-/// The segment is its core. Both ends may be the same point: a sphere.
+/// The segment is its core. If both ends are the same point it is a sphere.
 using Capsule = CapsuleShape;
 using Capsules = std::vector<Capsule>;
 
-/// Edges along the axes of the frame; no corner of `lower` is above that of `upper`.
+/// Edges along the axes of the frame; lower <= upper.
 struct AlignedBox {
   Eigen::Vector3d lower = Eigen::Vector3d::Zero();
   Eigen::Vector3d upper = Eigen::Vector3d::Zero();
 };
 
-/// The smallest one around all capsules. Of none: `lower` is above `upper`, infinitely far from all boxes.
+/// The smallest box around all capsules. Without capsules: `lower` is above `upper`, at infinite distance
+/// from all boxes.
 [[nodiscard]] AlignedBox boxAround(const Capsules& capsules);
 
-/// The same capsule seen from where `frame` is told.
+/// The capsule transformed to the frame in which `frame` is given.
 [[nodiscard]] Capsule placed(const arm::Pose& frame, const Capsule& capsule);
 
-/// From the point to the segment. A segment may be a point, here and below.
+/// Distance from the point to the segment. A segment may be a point, here and below.
 [[nodiscard]] double distanceToSegment(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
                                        const Eigen::Vector3d& to);
 
-/// Between the cores of the capsules, whatever the radii; 0 where they touch.
+/// Distance between the cores of the capsules, without the radii; 0 if they touch.
 [[nodiscard]] double coreDistance(const Capsule& a, const Capsule& b);
 
-/// Between the surfaces; negative where the capsules reach into each other.
+/// Distance between the surfaces; negative if the capsules overlap.
 [[nodiscard]] double distanceBetween(const Capsule& a, const Capsule& b);
 
-/// What is in one is no closer to what is in the other. Where the boxes meet, it may be in it by any depth:
-/// less than any number.
+/// A lower bound of the distance between anything in one box and anything in the other. If the boxes overlap,
+/// the penetration may have any depth, so the value is minus infinity.
 [[nodiscard]] double leastDistance(const AlignedBox& a, const AlignedBox& b);
 
-/// Between the core and the box, whatever the radius; 0 where they touch.
+/// Distance between the core and the box, without the radius; 0 if they touch.
 [[nodiscard]] double coreDistance(const Capsule& capsule, const AlignedBox& box);
 
-/// The two that are closest to each other, or deepest in each other.
+/// The closest pair of capsules, or the pair with the deepest overlap.
 struct Nearest {
   double distance = 0;     ///< between their surfaces
-  std::size_t first = 0;   ///< of the first list
-  std::size_t second = 0;  ///< of the second list
+  std::size_t first = 0;   ///< index in the first list
+  std::size_t second = 0;  ///< index in the second list
 };
-/// The first such pair where several are as close. Infinitely far where a list is empty.
+/// If several pairs are equally close, the first one. Infinite distance if a list is empty.
 [[nodiscard]] Nearest nearestOf(const Capsules& first, const Capsules& second);
 
 }  // namespace cobot_command::cell

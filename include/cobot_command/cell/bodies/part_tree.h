@@ -1,4 +1,4 @@
-// Parts that robots carry: on the flange or on other parts, to any depth (cell.md, M2).
+// Parts that robots carry: on the flange or on other parts, to any depth (doc/cell.md).
 #pragma once
 
 #include <set>
@@ -13,28 +13,28 @@
 
 namespace cobot_command::cell {
 
-/// What a part is on when it is on no other part.
+/// The parent of a part that is not on another part.
 inline constexpr const char* kOnFlange = "flange";
 
 struct CarriedPart {
   std::string name;
   std::vector<Shape> shapes;             ///< in the frame of the part
   std::string on = kOnFlange;            ///< kOnFlange, or the name of a part
-  arm::Pose at = arm::Pose::Identity();  ///< of the part, in the frame of what it is on [m]
+  arm::Pose at = arm::Pose::Identity();  ///< of the part, in the frame of its parent [m]
 };
 
 /// Names of the parts that a robot carries.
 using Carried = std::set<std::string>;
 
-/// A value, immutable after it is made; safe to share between threads.
+/// An immutable value; safe to share between threads.
 class PartTree {
  public:
-  /// Refused when two parts have the same name, one is named as the flange, or is on what does not exist, or
-  /// in the end on itself, and where a shape is none.
+  /// Refused if two parts have the same name, a part has the name of the flange, a parent does not exist,
+  /// parts form a cycle, or a shape is invalid.
   [[nodiscard]] static Result<PartTree, BodyRefusal> of(const std::vector<CarriedPart>& parts,
                                                         double body_cell = kUsualBodyCell);
 
-  /// The bodies of what is carried, by the names of the parts. Names of no part are none.
+  /// The bodies of the carried parts, by part name. Unknown names are ignored.
   [[nodiscard]] std::vector<FlangeCapsules> bodiesOf(const Carried& carried) const;
 
  private:

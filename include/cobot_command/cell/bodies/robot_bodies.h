@@ -1,6 +1,6 @@
-// All bodies of a robot in a cell: of its links, its tool, and what it carries, at any joints.
+// All bodies of a robot in a cell, at any joints: links, tool, and carried parts.
 //
-// Values; safe to share between threads while nobody changes them.
+// Values; safe to share between threads as long as no thread changes them.
 #pragma once
 
 #include <array>
@@ -20,47 +20,47 @@ namespace cobot_command::cell {
 
 /// One capsule of a robot.
 struct Body {
-  std::size_t link = 0;  ///< with which it moves: 0, the fixed base, to 6, behind joint 6
+  std::size_t link = 0;  ///< link that it moves with: 0, the fixed base, to 6, after joint 6
   Capsule capsule;       ///< in the frame of that link [m]
-  std::string name;      ///< for people: of the link, "tool", or of the part
+  std::string name;      ///< for display: of the link, "tool", or of the part
 };
 
-/// It never moves: with the base, or as it only turns about its own axis on it. A robot may stand with such
-/// bodies on an obstacle.
+/// True if the body never moves: it belongs to the base, or only rotates about its own axis on it. Such
+/// bodies may stand on an obstacle.
 [[nodiscard]] bool isFixed(const Body& body);
 
-/// Capsules of one thing in the flange, such as a tool or a part.
+/// Capsules of one object in the flange, such as a tool or a part.
 struct FlangeCapsules {
   std::string name;
   Capsules capsules;  ///< [m]
 };
 
-/// A robot in the world, at certain joints.
+/// A robot in the world at given joints.
 struct PlacedRobot {
-  Capsules capsules;    ///< one for each body, in their order [m]
+  Capsules capsules;    ///< one per body, in their order [m]
   arm::JointAxes axes;  ///< [m]
 };
 
 class RobotBodies {
  public:
-  /// An arm from the text of its URDF, its base in the world [m], and its tool in the flange. First come the
-  /// bodies of the links, then those of the tool. Refused where the URDF is, where one of its bodies is no
-  /// primitive (a mesh), and where the tool has a wrong shape.
+  /// Creates a robot from the text of its URDF, its base in the world [m], and its tool in the flange. The
+  /// bodies of the links are first, then those of the tool. Refused if the URDF is invalid, a body is not a
+  /// primitive (a mesh), or the tool has an invalid shape.
   [[nodiscard]] static Result<RobotBodies, BodyRefusal> fromUrdf(const std::string& urdf,
                                                                  const arm::Pose& base,
                                                                  const std::vector<Shape>& tool,
                                                                  double body_cell = kUsualBodyCell);
 
-  /// The same robot that carries these in addition to what it has; they come behind the other bodies.
+  /// The same robot that also carries these objects; their bodies are after the others.
   [[nodiscard]] RobotBodies carrying(const std::vector<FlangeCapsules>& carried) const;
 
   [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
   [[nodiscard]] const arm::Pose& base() const { return base_; }
   [[nodiscard]] const arm::LinkChain& chain() const { return chain_; }
 
-  /// Where the bodies are at these joints [rad], and the axes of the joints; all in the world [m].
+  /// The bodies and the joint axes at these joints [rad], in the world [m].
   [[nodiscard]] PlacedRobot at(const arm::JointVector& joints) const;
-  /// The same into what is there already, so that no memory is allocated again.
+  /// As at(), but reuses the memory of `placed`.
   void place(const arm::JointVector& joints, PlacedRobot& placed) const;
 
  private:

@@ -1,6 +1,6 @@
-// The shapes of which cells are described: of tools, parts, obstacles and mechanisms (cell.md, M3).
+// The shapes in the description of a cell: of tools, parts, obstacles and mechanisms (doc/cell.md).
 //
-// In SI [m, rad]; the files of cells have mm and degrees.
+// In SI [m, rad]; cell files have mm and degrees.
 #pragma once
 
 #include <cstddef>
@@ -23,23 +23,23 @@ struct SphereShape {
   double radius = 0.0;
 };
 
-/// Along z, its middle at the origin.
+/// Along z, centred at the origin.
 struct CylinderShape {
   double radius = 0.0;
   double length = 0.0;
 };
 
-/// Its middle at the origin, its edges along the axes.
+/// Centred at the origin, edges along the axes.
 struct BoxShape {
   Eigen::Vector3d size = Eigen::Vector3d::Zero();
 };
 
-/// Of one thing in the file of a cell.
+/// Most shapes of one object in a cell file.
 inline constexpr std::size_t kMostShapes = 200;
 
 struct Shape {
   std::variant<CapsuleShape, SphereShape, CylinderShape, BoxShape> kind;
-  arm::Pose at = arm::Pose::Identity();  ///< seen from what it belongs to
+  arm::Pose at = arm::Pose::Identity();  ///< in the frame of the object
 };
 
 }  // namespace cobot_command::cell

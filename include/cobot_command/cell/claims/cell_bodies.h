@@ -1,5 +1,5 @@
-// What a cell's file says of parts and mechanisms, as bodies: the same for what is proved, for what is
-// written down, and for the monitor.
+// The bodies of the parts and mechanisms in a cell file. Proofs, artifacts and the monitor use the same
+// bodies.
 #pragma once
 
 #include "cobot_command/cell/bodies/mechanism_bodies.h"
@@ -8,10 +8,11 @@
 
 namespace cobot_command::cell {
 
-/// All parts of the cell, whoever carries them. Refused where a shape of one is none, or they are no tree.
+/// All parts of the cell, regardless of the carrying robot. Refused if a shape is invalid, or if the parts
+/// are not a tree.
 [[nodiscard]] Result<PartTree, BodyRefusal> partTreeOf(const Cell& cell);
 
-/// Refused where one of its shapes is none.
+/// Refused if a shape is invalid.
 [[nodiscard]] Result<MechanismBodies, BodyRefusal> mechanismBodiesOf(const Parameters& parameters,
                                                                      const Mechanism& mechanism);
 

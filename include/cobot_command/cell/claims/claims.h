@@ -1,5 +1,5 @@
-// Where each robot and mechanism of a cell can be, piece by piece of its programs: voxels that contain every
-// body of it, whenever and however late its frames are sent (cell.md, section 3).
+// The space that each robot and mechanism of a cell can occupy, for each piece of its programs: voxels that
+// contain all its bodies, no matter when its frames are sent (doc/cell.md).
 //
 // SI [m, rad].
 #pragma once
@@ -21,72 +21,73 @@
 
 namespace cobot_command::cell {
 
-/// An arm while its joints are in a box.
+/// An arm whose joints are in a range.
 struct ArmPosture {
-  motion::JointRange range;                   ///< contains the joints at every moment of the piece
-  std::shared_ptr<const RobotBodies> bodies;  ///< with what is carried
+  motion::JointRange range;                   ///< contains the joints at every time of the piece
+  std::shared_ptr<const RobotBodies> bodies;  ///< including carried parts
 };
 
-/// A mechanism while it is between two values of its axis [m or rad].
+/// A mechanism between two values of its axis [m or rad].
 struct AxisPosture {
-  double from = 0.0;  ///< in the order in which they are passed; both the same where it rests
+  double from = 0.0;  ///< in the order of motion; equal at rest
   double to = 0.0;
   std::shared_ptr<const MechanismBodies> bodies;
 
   [[nodiscard]] double centre() const { return 0.5 * (from + to); }
 };
 
-/// A part of a motion, or a rest, short enough that no body moves farther than `step_bound`.
+/// A part of a motion, or a rest, in which no body moves farther than `step_bound`.
 struct Piece {
   enum class Kind {
-    Corner,  ///< the motion before it and this one at once, for every arrival of this one
+    Corner,  ///< overlap with the previous motion, for every arrival time of this one
     Motion,
     Rest  ///< at the end of the frame
   };
   Kind kind = Kind::Motion;
-  std::size_t frame = 0;   ///< of the path; a mechanism makes one of each path
+  std::size_t frame = 0;   ///< of the path; a mechanism has one per path
   std::size_t motion = 0;  ///< of the frame
-  Duration from{};         ///< since that motion began; of a mechanism nobody knows
+  Duration from{};         ///< since the start of that motion; unknown for a mechanism
   Duration to{};
   std::variant<ArmPosture, AxisPosture> posture;
-  /// No point of a body is farther than this from where it is at the centre of the posture [m].
+  /// Largest distance of any point of a body from its position at the centre of the posture [m].
   double displacement = 0.0;
   VoxelSet claim;
 
   [[nodiscard]] bool isOfMechanism() const { return std::holds_alternative<AxisPosture>(posture); }
-  /// Where the bodies are at the centre of the posture, in the world [m].
+  /// The bodies at the centre of the posture, in the world [m].
   [[nodiscard]] Capsules capsulesAtCentre() const;
 };
 
 struct PathClaim {
-  /// By frames; of each its corners, its motions in the order of time, and its rest.
+  /// In the order of the frames; for each frame its corners, its motions in the order of time, and its rest.
   std::vector<Piece> pieces;
 };
 
 struct RobotClaim {
   std::string name;
-  std::vector<PathClaim> paths;  ///< as planned; of a mechanism, as in the cell
-  std::vector<Piece> stations;   ///< the rest at each; of a mechanism, at stationsOf() it
+  std::vector<PathClaim> paths;  ///< as planned; for a mechanism, as in the cell
+  std::vector<Piece> stations;   ///< the rest at each station; for a mechanism, see stationsOf()
   VoxelSet all;                  ///< of all pieces
 
   [[nodiscard]] std::size_t pieces() const;
 };
 
-/// More is refused before it is taken [bytes].
+/// Claims that need more are refused before the memory is allocated [bytes].
 inline constexpr std::size_t kMostClaimMemory = std::size_t{1} << 30;
 
-/// Of all robots of a cell, and then of its mechanisms, in its order; side by side on `threads` threads, with
-/// the same result. Faults: a motion of which nothing can be proved (UNBOUNDED), bodies that cannot be made
-/// of capsules, claims that would take more than kMostClaimMemory by a sample of them.
+/// The claims of all robots of a cell, then of its mechanisms, in the order of the cell. Computed in parallel
+/// on `threads` threads, with the same result. Faults: a motion without provable bounds (UNBOUNDED), bodies
+/// that cannot be converted to capsules, claims that would need more than kMostClaimMemory according to a
+/// sample.
 [[nodiscard]] Result<std::vector<RobotClaim>, std::vector<Fault>> claimCell(
     const Cell& cell, const std::vector<PlannedRobot>& robots, unsigned threads = 1);
 
-/// One path of one of its robots, as claimCell() claims it.
+/// The claim of one path of one robot, as in claimCell().
 [[nodiscard]] Result<PathClaim, std::vector<Fault>> claimPath(const Cell& cell, const Robot& robot,
                                                               const PlannedRobot& planned, std::size_t path);
 
-/// How far a claimed point is at most from a body that is there at some moment: what the claim is too large
-/// by [m].
+/// Largest distance of a claimed point from a body that is there at some time: the excess size of the claim
+/// [m].
 [[nodiscard]] double claimError(const Parameters& parameters);
 
 }  // namespace cobot_command::cell

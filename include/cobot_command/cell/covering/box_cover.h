@@ -1,5 +1,5 @@
-// Boxes that cover a mesh, as cells take no meshes: what is proved of a cell needs bodies that are known
-// exactly (cell.md, S1).
+// Covers a mesh with boxes. Cells accept no meshes, because the proofs need exactly known bodies
+// (doc/cell.md).
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ namespace cobot_command::cell {
 
 inline constexpr std::size_t kMostCoverCells = 2000000;
 
-/// Every point of every triangle is inside of a box. The boxes consist of cells with this edge [mm, above 0],
-/// less what is left free of the outer ones, are at least 1 mm thick, and begin and end at whole tenths. What
-/// a mesh closes in is filled where that makes fewer of them. A fault is a sentence: there would be more than
-/// kMostCoverCells, or a corner is too far out.
+/// Boxes that contain every point of every triangle. They consist of cells with this edge [mm, above 0],
+/// without the unused parts of the outer cells. They are at least 1 mm thick, with bounds in whole tenths.
+/// Enclosed volume is filled if that gives fewer boxes. A fault is a sentence: more than kMostCoverCells
+/// would be needed, or a corner is too far from the origin.
 [[nodiscard]] Result<std::vector<AlignedBox>, std::string> boxesOver(const std::vector<Triangle>& triangles,
                                                                      double edge);
 

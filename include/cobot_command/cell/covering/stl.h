@@ -1,4 +1,4 @@
-// Triangles of STL files, as CAD programs write them; text or binary.
+// Reads the triangles of STL files; text or binary.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@
 
 namespace cobot_command::cell {
 
-/// In the unit of the file, which does not say which one that is.
+/// In the unit of the file, which does not specify it.
 using Triangle = std::array<Eigen::Vector3d, 3>;
 
 inline constexpr std::size_t kMostTriangles = 5000000;
 
-/// Normals and attributes are passed over. A fault is a sentence: no triangles, more than kMostTriangles, cut
-/// off, corners that are no numbers.
+/// Normals and attributes are ignored. A fault is a sentence: no triangles, more than kMostTriangles, a
+/// truncated file, invalid coordinates.
 [[nodiscard]] Result<std::vector<Triangle>, std::string> trianglesOfStl(std::string_view bytes);
 
 }  // namespace cobot_command::cell

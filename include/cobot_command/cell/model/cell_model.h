@@ -1,5 +1,5 @@
-// A cell as automata: a plant for each robot, a spec for each zone, and what each event means (cell.md, M18
-// and M19).
+// A cell as automata: a plant for each robot, a spec for each zone, and the meaning of each event
+// (doc/cell.md).
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,14 @@
 
 namespace cobot_command::cell {
 
-/// What happens to a robot. Its index is that of the event in the problem, and what messages carry; nothing
-/// is ever read out of the name.
+/// An event of a robot. Its index is that of the event in the problem, and is used in messages. The name is
+/// never parsed.
 struct CellEvent {
   enum class Kind {
-    Go,       ///< it sets out on a path
-    Book,     ///< zones become its own
-    Release,  ///< and are no longer
-    Reached   ///< it stands at the station that the path leads to
+    Go,       ///< it starts a path
+    Book,     ///< it gets zones
+    Release,  ///< it returns zones
+    Reached   ///< it is at the station at the end of the path
   };
   Kind kind = Kind::Go;
   RobotIndex robot = 0;
@@ -29,11 +29,11 @@ struct CellEvent {
   std::vector<ZoneIndex> zones;
 };
 
-/// Where a robot is in its program: at a station, or behind so many events of a path.
+/// Place of a robot in its program: at a station, or after a number of events of a path.
 struct CellPlace {
   std::optional<std::size_t> station;
-  PathIndex path = 0;            ///< where it is at no station
-  std::size_t behind = 0;        ///< zone steps of the path that are done
+  PathIndex path = 0;            ///< if it is not at a station
+  std::size_t behind = 0;        ///< number of completed zone steps of the path
   std::vector<ZoneIndex> holds;  ///< ascending
   std::string name;              ///< "T1", or "HOME>T1 +2"
 };
@@ -43,20 +43,20 @@ struct CellModel {
   /// Robots first, in their order, then zones.
   automata::Problem problem;
   std::vector<CellEvent> events;               ///< by event of the problem
-  std::vector<std::vector<CellPlace>> places;  ///< by robot, and by local state of its plant
+  std::vector<std::vector<CellPlace>> places;  ///< [robot][local state of its plant]
 
   [[nodiscard]] std::size_t robots() const { return program.robots.size(); }
-  /// Where the automaton of a zone is in the problem, and in tuples.
+  /// Index of the automaton of a zone in the problem, and in tuples.
   [[nodiscard]] std::size_t automatonOf(ZoneIndex zone) const { return robots() + zone; }
-  /// By local state of the automaton of a zone: who holds it; nobody: it is free.
+  /// The owner of a zone in a local state of its automaton; std::nullopt: free.
   [[nodiscard]] std::optional<RobotIndex> holder(ZoneIndex zone, automata::StateIndex state) const;
   [[nodiscard]] automata::Holds holds() const;
 
-  std::vector<std::vector<std::optional<RobotIndex>>> holders;  ///< by zone and local state
+  std::vector<std::vector<std::optional<RobotIndex>>> holders;  ///< [zone][local state]
 };
 
-/// Faults, each a sentence: a zone that is booked while it is held, or released while it is not; a station at
-/// which paths disagree about what is held; a robot that cannot come home, or nowhere from home.
+/// Faults, one sentence each: a zone that is booked while it is held, or released while it is not; a station
+/// at which paths disagree about the held zones; a robot that cannot reach home, or cannot leave it.
 [[nodiscard]] Result<CellModel, std::vector<std::string>> modelOf(const CellProgram& program);
 
 }  // namespace cobot_command::cell

@@ -1,7 +1,7 @@
-// What robots of a cell do, as far as the others have to know: which zones they book and release on which
-// way.
+// The programs of the robots of a cell as far as other robots are concerned: the zones that they book and
+// release on each path.
 //
-// Made of planned motions (cell/zones), or written down by hand in tests. Mechanisms are robots here.
+// Created from planned motions (cell/zones), or written by hand in tests. Mechanisms are included as robots.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@
 
 namespace cobot_command::cell {
 
-/// Into CellProgram::zones, ::robots and RobotProgram::paths.
+/// Indices into CellProgram::zones, ::robots and RobotProgram::paths.
 using ZoneIndex = std::size_t;
 using RobotIndex = std::size_t;
 using PathIndex = std::size_t;
 
-/// On a path, in the order in which they come; at the same place releases come before bookings.
+/// A booking or a release on a path, in order of occurrence. At the same place releases are before bookings.
 struct ZoneStep {
   bool books = true;
-  std::vector<ZoneIndex> zones;  ///< booked all at once, or not; one that is released
-  /// A booking that cannot be refused: what the mechanism does once it was let go.
+  std::vector<ZoneIndex> zones;  ///< bookings: all of them at once or none; releases: one zone
+  /// A booking that cannot be refused: the mechanism makes it automatically after its go.
   bool uncontrollable = false;
 };
 
@@ -30,7 +30,7 @@ struct PathProgram {
   std::size_t from = 0;  ///< station
   std::size_t to = 0;    ///< station
   std::vector<ZoneStep> steps;
-  bool uncontrollable_go = false;  ///< a mechanism that begins it by itself
+  bool uncontrollable_go = false;  ///< a mechanism that starts automatically
 };
 
 struct RobotProgram {

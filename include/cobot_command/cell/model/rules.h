@@ -1,4 +1,4 @@
-// What may happen next in a cell: the supervisors of all its parts, asked as one.
+// Decides which event may happen next in a cell: combines the supervisors of all its parts.
 //
 // A state is the tuple of the whole problem. Immutable; safe to share between threads.
 #pragma once
@@ -16,36 +16,36 @@ namespace cobot_command::cell {
 
 class Rules {
  public:
-  /// Precondition: `parts` are of that model. `policy` None: zones are not looked at.
+  /// Precondition: `parts` belong to that model. `policy` None: zones are ignored.
   Rules(CellModel model, const std::vector<PartSupervisor>& parts, Policy policy);
   ~Rules();
   Rules(Rules&&) noexcept;
 
   [[nodiscard]] automata::Decision decide(const automata::Tuple& state, automata::EventIndex event) const;
   [[nodiscard]] const automata::Tuple& initial() const { return composition_.initial(); }
-  /// All are at home.
+  /// True if all robots are at home.
   [[nodiscard]] bool isHome(const automata::Tuple& state) const {
     return composition_.isMarked(state.data());
   }
-  /// Where all were before a booking, or a go, that nothing was done with; none: it is not the last thing
-  /// that its robot did.
+  /// The state before an unused booking or go; std::nullopt: it is not the last event of its robot.
   [[nodiscard]] std::optional<automata::Tuple> undone(const automata::Tuple& state,
                                                       automata::EventIndex event) const;
 
-  /// They share zones, directly or through others.
+  /// True if they share zones, directly or through others.
   [[nodiscard]] bool haveToDoWithEachOther(RobotIndex one, RobotIndex other) const {
     return part_of_robot_[one] == part_of_robot_[other];
   }
-  /// The robots that could not come home from there, one after the other; empty: all could.
+  /// The robots that cannot reach home from that state one after the other; empty: all can.
   [[nodiscard]] std::vector<RobotIndex> stuckIn(const automata::Tuple& state) const;
-  /// A zone that another holds there, and the mechanism that could enter it by itself; none: nobody could.
+  /// A zone held by another robot, and the mechanism that could enter it automatically; std::nullopt: there
+  /// is none.
   struct Intrusion {
     RobotIndex mechanism = 0;
     ZoneIndex zone = 0;
     RobotIndex holder = 0;
   };
   [[nodiscard]] std::optional<Intrusion> intrusionIn(const automata::Tuple& state) const;
-  /// The robots that have to go on before `robot` can come home, in the order in which they do.
+  /// The robots that must continue before `robot` can reach home, in the order in which they do.
   [[nodiscard]] std::vector<RobotIndex> aheadOf(const automata::Tuple& state, RobotIndex robot) const;
 
   [[nodiscard]] const CellModel& model() const { return model_; }

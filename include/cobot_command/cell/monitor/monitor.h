@@ -1,14 +1,14 @@
-// Watches how far the robots and mechanisms of a cell are from each other, by their measured joints and
-// positions alone, and stops all when they come too close (cell.md, M35).
+// Monitors the distances between the robots and mechanisms of a cell, only from their measured joints and
+// positions, and stops all when they are too close (doc/cell.md).
 //
-// It is no safety function: it runs on an ordinary computer, hears of them by an ordinary network, and
-// stops them by ordinary commands. It finds faults of the cell's programs, its supervisor and its data; it
-// protects no people, and nothing that a risk assessment would count.
+// It is not a safety function: it runs on an ordinary computer, receives data over an ordinary network, and
+// stops robots by ordinary commands. It finds faults of the cell's programs, its supervisor and its data. It
+// protects no people, and must not be credited in a risk assessment.
 //
-// It knows nothing of zones, claims or the supervisor, so that their faults are not its own: what it is told
-// of permits takes back a part of what old data is uncertain by, and nothing of what was measured. Pure: an
-// event and the time in, what to do out. One thread owns it. All instants are of that thread's clock; no
-// stamp of a message, and so no jump of another clock, matters.
+// It is independent of zones, claims and the supervisor, so their faults do not affect it. Permits only limit
+// the uncertainty caused by old data, and never change measured distances. Pure: its inputs are events and
+// the time, its outputs actions. Owned by one thread. All times are of that thread's clock; message stamps
+// and jumps of other clocks have no effect.
 #pragma once
 
 #include <memory>
@@ -29,18 +29,17 @@ namespace cobot_command::cell {
 
 struct WatchedRobot {
   std::string name;
-  RobotBodies bodies;  ///< its links and its tool, in the world
-  /// All that it may ever carry. As long as nobody has told what it does carry, it is taken to carry all of
-  /// it: that can only make distances less.
+  RobotBodies bodies;  ///< links and tool, in the world
+  /// All parts that it may ever carry. While its actual parts are unknown, it is assumed to carry all of
+  /// them, which can only reduce distances.
   std::vector<FlangeCapsules> may_carry;
-  /// By joint, how fast its arm is at most [rad/s]: what seems to be faster was heard late. Empty: nobody
-  /// knows.
+  /// Maximum speed of each joint [rad/s]: an apparently higher speed means delayed data. Empty: unknown.
   std::vector<double> most_speeds = {};
 };
 
 struct WatchedMechanism {
   std::string name;
-  MechanismBodies bodies;  ///< in the world, by the position of its axis
+  MechanismBodies bodies;  ///< in the world, for each position of its axis
 };
 
 struct WatchedObstacle {
@@ -49,38 +48,39 @@ struct WatchedObstacle {
 };
 
 struct MonitorSettings {
-  enum class Mode { Stop, Warn };  ///< Warn: what would stop all is only told
+  enum class Mode { Stop, Warn };  ///< Warn: only reports what would stop all
 
   double margin = 0.020;                ///< closer than this is a breach [m]
-  std::optional<double> stop_distance;  ///< closer than this stops all [m]; none: half of the margin
+  std::optional<double> stop_distance;  ///< closer than this stops all [m]; std::nullopt: half of the margin
   Mode mode = Mode::Stop;
-  /// Older data is none: of what moved by it, a reason to stop all.
+  /// Data older than this is not used. All are stopped if it was of something that moved.
   Duration stale_after = std::chrono::milliseconds(500);
-  /// A robot stands when no joint is faster [rad/s], a mechanism when its axis is not [m/s or rad/s].
+  /// A robot is at standstill if no joint is faster [rad/s], a mechanism if its axis is not faster [m/s or
+  /// rad/s].
   double standing_speed = 0.005;
-  /// What data of that age may hide counts, whatever is permitted; see Monitor::setPermit().
+  /// Possible motion within this time always counts, regardless of permits; see Monitor::setPermit().
   Duration prompt = std::chrono::milliseconds(50);
-  double exact_within = 1.0;                        ///< farther pairs are told by a lower bound [m]
-  Duration period = std::chrono::milliseconds(20);  ///< between two looks, while there is something to see
+  double exact_within = 1.0;                        ///< the distance of farther pairs is a lower bound [m]
+  Duration period = std::chrono::milliseconds(20);  ///< between two checks while something moves or is new
 };
 
-/// What a robot or mechanism may do by its program, from where it was measured.
+/// What a robot or mechanism may do according to its program, from its measured position.
 struct Permit {
-  /// Numbers of what it holds there, and nobody else may at the same time; ascending. The program was proved
-  /// to keep those who do not hold the same at least the margin apart, and all from obstacles.
+  /// Numbers of the zones that it holds there exclusively; ascending. It is proven that programs without a
+  /// common zone keep at least the margin, and that all keep it from obstacles.
   std::vector<std::size_t> holds;
-  std::vector<double> most_speeds;  ///< by axis [rad/s, or m/s]; empty: nobody knows
+  std::vector<double> most_speeds;  ///< by axis [rad/s or m/s]; empty: unknown
 };
 
-/// Why there is no monitor: what was found, what is allowed.
+/// Why a monitor cannot be created: what was found, what is allowed.
 struct MonitorRefusal {
   std::string message;
 };
 
 class Monitor {
  public:
-  /// Refused when two things have the same name, one has no bodies, and when a setting is not finite or
-  /// negative, the stop distance is above the margin, a time is not above 0.
+  /// Refused if two objects have the same name, an object has no bodies, a setting is negative or not finite,
+  /// the stop distance is above the margin, or a time is not above 0.
   [[nodiscard]] static Result<Monitor, MonitorRefusal> of(std::vector<WatchedRobot> robots,
                                                           const std::vector<WatchedObstacle>& obstacles,
                                                           const MonitorSettings& settings = {},
@@ -89,41 +89,42 @@ class Monitor {
   Monitor& operator=(Monitor&& other) noexcept;
   ~Monitor();
 
-  // --- What happens.
-  /// Measured joints [rad] and their velocities [rad/s], `age` before `now`. Velocities are not relied on:
-  /// what the joints did since the data before counts where it is more. A robot of which neither is known yet
-  /// counts as one that moves, and its data as certain. What is malformed or old is dropped and counted, so
-  /// that what is known becomes stale in the end.
+  // --- Inputs.
+  /// Measured joints [rad] and their velocities [rad/s], `age` before `now`. The velocities are not trusted:
+  /// the motion since the previous data is used if it is faster. If neither is known yet, the robot counts as
+  /// moving and its data as exact. Malformed or old data is dropped and counted, so the last valid data
+  /// eventually becomes stale.
   void take(const std::string& robot, const arm::JointVector& joints,
             const std::optional<arm::JointVector>& velocities, Duration age, Instant now);
-  /// Where a mechanism was measured on or about its axis [m, or rad of one that turns]. All else is as of the
-  /// joints of a robot whose velocities nobody tells.
+  /// Measured position of a mechanism on or about its axis [m, or rad of a revolute axis]. Otherwise as for
+  /// the joints of a robot without velocities.
   void takePosition(const std::string& mechanism, double position, Duration age, Instant now);
-  /// From now on the robot carries just these of what it may carry; nothing: nobody can tell, so all of it.
-  /// False, and nothing changes, when there is no such robot or part.
+  /// The parts that the robot carries from now on, of those that it may carry; std::nullopt: unknown, so all
+  /// of them. Returns false, without a change, if the robot or part does not exist.
   bool setCarried(const std::string& robot, const std::optional<Carried>& parts);
-  /// Nothing: nobody can tell, so it may go anywhere. Of two that may do what they do at the same time, and
-  /// of one and an obstacle, data that is older than `prompt` makes the distance uncertain by no more than
-  /// down to the margin; but by what they may have moved within `prompt` it does. What is measured to be
-  /// closer counts as ever. False, and nothing changes, when there is no such robot or mechanism.
+  /// Sets what it may do; std::nullopt: unknown, so it may move anywhere. For two movers whose permits have
+  /// no common zone, and for a mover and an obstacle, data older than `prompt` reduces the distance at most
+  /// to the margin. The possible motion within `prompt` is still subtracted in full. A measured distance
+  /// below the margin always counts. Returns false, without a change, if the robot or mechanism does not
+  /// exist.
   bool setPermit(const std::string& mover, const std::optional<Permit>& permit);
-  /// Looks at all pairs.
+  /// Checks all pairs.
   void tick(Instant now);
-  /// Looks at all pairs, and ends the latch; refused while what it was for lasts, or anything else that stops
-  /// all. What is too close is so until it is 1 mm farther than the limit, here and in breaches.
+  /// Checks all pairs and resets the latch. Refused while its cause, or another cause to stop all, persists.
+  /// A pair counts as too close until it is 1 mm farther apart than the limit, here and for breaches.
   ResetAnswer reset(Instant now);
 
-  // --- What to do, and how things stand as of the last tick.
-  /// Since the last call, in their order.
+  // --- Outputs, and the state of the last tick.
+  /// All since the last call, in order.
   [[nodiscard]] std::vector<MonitorAction> takeActions();
   [[nodiscard]] MonitorStatus status() const;
-  /// Of robots, then mechanisms, then obstacles.
+  /// Robots, then mechanisms, then obstacles.
   [[nodiscard]] std::vector<SeenBodies> bodies() const;
   [[nodiscard]] bool latched() const;
-  /// The newest ones, in the order of their ends, and those that last.
+  /// The newest ones, ordered by their end, and those that still last.
   [[nodiscard]] std::vector<Breach> breaches() const;
-  /// When tick() has something to do, if nothing else happens before. None while all stand, and nothing new
-  /// was heard.
+  /// The time of the next tick(), if nothing else happens before. std::nullopt while all are at standstill
+  /// and no new data was received.
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
 
  private:

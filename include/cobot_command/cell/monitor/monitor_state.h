@@ -1,5 +1,4 @@
-// What the monitor of a cell tells: what is to be done, and how far robots and mechanisms are from each
-// other.
+// Output of the monitor of a cell: actions, and the distances between robots and mechanisms.
 #pragma once
 
 #include <cstdint>
@@ -13,24 +12,24 @@
 
 namespace cobot_command::cell {
 
-/// Two things that were closer than the margin, or may have been, from `start` to `end`.
+/// Two objects that were, or may have been, closer than the margin from `start` to `end`.
 struct Breach {
   std::string first;
   std::string second;
-  std::string first_body;  ///< at the least distance
+  std::string first_body;  ///< at the smallest distance
   std::string second_body;
   Instant start;
-  double least = 0;     ///< that the distance may have been: as measured, less its uncertainty [m]
-  double distance = 0;  ///< as measured, then [m]
+  double least = 0;     ///< smallest possible distance: as measured, minus its uncertainty [m]
+  double distance = 0;  ///< as measured at that time [m]
   Instant least_at;
-  std::optional<Instant> end;  ///< not yet, where there is none
+  std::optional<Instant> end;  ///< std::nullopt: not ended yet
 };
 
-/// All robots and mechanisms of the cell have to stop now, whatever they do.
+/// All robots and mechanisms of the cell must stop immediately.
 struct StopAll {
   std::string why;  ///< a sentence
 };
-/// For people.
+/// A message for the operator.
 struct Warning {
   std::string text;  ///< a sentence
 };
@@ -39,49 +38,49 @@ struct BreachEnded {
 };
 using MonitorAction = std::variant<StopAll, Warning, BreachEnded>;
 
-/// Of two robots or mechanisms, or a robot and an obstacle.
+/// A pair of robots or mechanisms, or a robot and an obstacle.
 struct PairStatus {
   std::string first;
   std::string second;
-  bool known = false;  ///< both were heard; else nothing below counts
-  /// Between the bodies as they were measured; negative where they reach into each other [m].
+  bool known = false;  ///< data of both was received; otherwise nothing below is valid
+  /// Between the bodies as measured; negative if they overlap [m].
   double distance = 0;
-  /// So much closer they may be by now [m].
+  /// How much closer they may be now [m].
   double uncertainty = 0;
-  /// False: they are far from each other, and `distance` is only known to be no less than is said.
+  /// False: they are far apart, and `distance` is a lower bound.
   bool exact = true;
-  std::string first_body;  ///< of `distance`; empty where that is not exact
+  std::string first_body;  ///< of `distance`; empty if that is not exact
   std::string second_body;
-  double least = 0;  ///< the least `distance` ever [m]
+  double least = 0;  ///< the smallest `distance` ever [m]
   Instant least_at;
   std::string least_first_body;
   std::string least_second_body;
-  bool breached = false;  ///< closer than the margin, or maybe
+  bool breached = false;  ///< closer than the margin, or possibly
 };
 
-/// What was not used, for diagnostics.
+/// Unused data, for diagnostics.
 struct MonitorCounts {
-  std::uint64_t malformed = 0;      ///< not finite, or nothing that an arm or a mechanism does
-  std::uint64_t unknown = 0;        ///< of no robot or mechanism that is watched
-  std::uint64_t old = 0;            ///< not measured later than what is known
-  std::uint64_t lost_breaches = 0;  ///< records that were dropped for newer ones
+  std::uint64_t malformed = 0;      ///< not finite, or impossible for an arm or a mechanism
+  std::uint64_t unknown = 0;        ///< of a robot or mechanism that is not monitored
+  std::uint64_t old = 0;            ///< not newer than the known data
+  std::uint64_t lost_breaches = 0;  ///< records dropped in favour of newer ones
 };
 
 struct MonitorStatus {
-  bool latched = false;   ///< all were stopped, and are to stand until reset
-  std::string diagnosis;  ///< a sentence, always
+  bool latched = false;   ///< all were stopped, and must remain stopped until the reset
+  std::string diagnosis;  ///< always a sentence
   std::vector<PairStatus> pairs;
   MonitorCounts counts;
 };
 
-/// What one thing is taken to consist of, where it was measured; empty before that.
+/// The assumed bodies of one object, at its measured position; empty before the first measurement.
 struct SeenBodies {
   std::string name;                     ///< of the robot, mechanism or obstacle
   Capsules capsules;                    ///< in the world [m]
-  std::vector<std::string> body_names;  ///< of each, as pairs have them
+  std::vector<std::string> body_names;  ///< of each capsule, as in pairs
 };
 
-/// Whether it was done, and a sentence.
+/// Whether the reset was done, and a sentence.
 struct ResetAnswer {
   bool success = false;
   std::string message;

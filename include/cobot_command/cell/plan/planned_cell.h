@@ -1,4 +1,4 @@
-// The programs of a cell with each motion planned, as it will be made: what zones and permits are made of.
+// The programs of a cell with each motion planned as it will be executed: the basis of zones and permits.
 //
 // SI [m, rad].
 #pragma once
@@ -21,26 +21,26 @@ namespace cobot_command::cell {
 /// One motion of a frame.
 struct PlannedMotion {
   motion::TrajectoryPtr trajectory;        ///< from rest to rest, at the highest project speed
-  std::optional<motion::Blend> blend;      ///< into the next motion of the path; nothing: it stops
+  std::optional<motion::Blend> blend;      ///< into the next motion of the path; std::nullopt: it stops
   arm::Pose tcp = arm::Pose::Identity();   ///< in the flange
-  arm::Pose base = arm::Pose::Identity();  ///< the active one, in that of the robot
+  arm::Pose base = arm::Pose::Identity();  ///< the active base, in the robot base
 };
 
-/// One script frame: what is sent for a step.
+/// One script frame: the script that is sent for a step.
 struct PlannedFrame {
   std::size_t step = 0;            ///< of the path
   std::vector<std::string> lines;  ///< without queue tag
   std::vector<PlannedMotion> motions;
-  std::set<std::string> carried;  ///< while it moves
-  bool stands = true;             ///< the robot stands at its end; false: it blends into the next frame
+  std::set<std::string> carried;  ///< during the motion
+  bool stands = true;             ///< true: the robot stops at its end; false: it blends into the next frame
   double dwell = 0;               ///< at its end [s]
-  /// Since the path began, when nothing waits: when it starts to move, and when it stands or the next one
-  /// takes over.
+  /// Since the start of the path, without waiting: the start of its motion, and the time when it stops or the
+  /// next frame takes over.
   Duration begin{};
   Duration end{};
 };
 
-/// Where a program may rest, with what is there.
+/// A station where a program may rest, with the parts carried there.
 struct PlannedStation {
   std::string name;
   arm::JointVector joints = arm::JointVector::Zero();
@@ -53,20 +53,20 @@ struct PlannedPath {
   std::size_t to = 0;
   std::vector<PlannedFrame> frames;
   std::set<std::string> carried_at_end;
-  Duration duration{};  ///< when nothing waits
+  Duration duration{};  ///< without waiting
 };
 
 struct PlannedRobot {
   std::string name;
   arm::ArmModel arm;
   std::size_t home = 0;
-  std::vector<PlannedStation> stations;  ///< that a path leads from or to, in the order of the cell
+  std::vector<PlannedStation> stations;  ///< those that a path starts or ends at, in the order of the cell
   std::vector<PlannedPath> paths;        ///< in the order of the cell
 };
 
-/// In the order of the cell's robots; mechanisms need no plan. Faults: a step that breaks the rules of its
-/// block, or cannot be planned; a motion of which nobody can say more; a path that does not end at the joints
-/// of its station (1e-6 rad).
+/// In the order of the cell's robots; mechanisms need no plan. Faults: a step that violates the rules of its
+/// block or cannot be planned; a motion with unknown start, base or TCP; a path that does not end at the
+/// joints of its station (1e-6 rad).
 [[nodiscard]] Result<std::vector<PlannedRobot>, std::vector<Fault>> planCell(const Cell& cell);
 
 }  // namespace cobot_command::cell

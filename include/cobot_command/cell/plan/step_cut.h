@@ -1,5 +1,5 @@
-// A step as two on the same path: so that a robot may stand on its way, and is sent on from there (cell.md,
-// M14).
+// Divides a step into two on the same path, so that a robot can stop in between and be sent on from there
+// (doc/cell.md).
 #pragma once
 
 #include <optional>
@@ -11,33 +11,35 @@
 
 namespace cobot_command::cell {
 
-/// Farther from the path of the whole, a cut is not made: the TCP [m], and its turn [rad].
+/// Largest deviation of a cut from the path of the whole motion: of the TCP [m], and of its orientation
+/// [rad]. A cut that deviates more is not made.
 inline constexpr double kMostDeviation = 1e-6;
 inline constexpr double kMostTurn = 1e-6;
 
-/// How two halves are made, against the whole; as the controller reads their lines.
+/// Comparison of the two halves with the whole motion, as the controller reads their lines.
 struct CutMeasure {
-  double deviation = 0.0;  ///< of the TCP from where the whole has it, each half by itself, at most [m]
-  double turn = 0.0;       ///< the same of its orientation [rad]
-  /// The same while both halves add up, when the second one is sent in time [m]. No part of `deviation`:
-  /// corners are claimed for themselves, and nobody knows how the controller rounds them (doc/motion.md).
+  double deviation = 0.0;  ///< largest deviation of the TCP from the whole motion, each half alone [m]
+  double turn = 0.0;       ///< the same for its orientation [rad]
+  /// The same while both halves overlap, if the second one is sent in time [m]. Not part of `deviation`:
+  /// corners are claimed separately, and it is unknown how the controller rounds them (doc/motion.md).
   double corner = 0.0;
-  /// By what both take longer then, from rest to rest; below zero where they are faster.
+  /// Additional time of both halves in that case, from rest to rest; negative if they are faster.
   Duration longer{};
 };
 
 struct StepCut {
-  Step before;            ///< to the place of the cut, there it blends by 100 %
-  Step behind;            ///< on from there, with all that follows the step
-  double progress = 0.0;  ///< of the way of the whole, 0..1
+  Step before;            ///< to the cut, where it blends by 100 %
+  Step behind;            ///< from the cut, with everything that follows the step
+  double progress = 0.0;  ///< share of the path of the whole motion, 0..1
   CutMeasure measure;
 };
 
-/// Cuts a step at `time` of its motion, since that began. PTPs become two to joints; lines and arcs, two of
-/// their kind; relative ones, absolute ones. Nothing where both halves do not keep the path: scripts, both
-/// ends of the motion, arcs too short to be known by three points, and whatever measures more than allowed.
+/// Cuts a step at `time` since the start of its motion. A PTP becomes two PTPs to joints, a line two lines,
+/// an arc two arcs; relative motions become absolute ones. std::nullopt if both halves would not keep the
+/// path: scripts, a cut at either end of the motion, arcs too short to be defined by three points, and
+/// deviations above the limits.
 ///
-/// `motion`: as `step` was planned by planCell(), with `speed_override` of its cell.
+/// `motion`: `step` as planned by planCell(), with `speed_override` of its cell.
 [[nodiscard]] std::optional<StepCut> cutStep(const arm::ArmModel& arm, const Step& step,
                                              const PlannedMotion& motion, double speed_override,
                                              Duration time);

@@ -1,4 +1,5 @@
-// What a cell means, as bytes: by their hash a stage knows that its input is what it was made of (M5).
+// The meaning of a cell as bytes. Stages compare its hash to ensure that their input belongs to this cell
+// (doc/cell.md).
 #pragma once
 
 #include <string>
@@ -7,12 +8,12 @@
 
 namespace cobot_command::cell {
 
-/// Every value of the cell, the URDFs of its models by their hashes, and the version of this format; nothing
-/// of how its file is written: comments, order of keys, notation of numbers and poses, aliases, lines. The
-/// same on every locale. Names for people are in it, as artifacts and reports show them.
+/// Every value of the cell, the hashes of the URDFs of its models, and the version of this format.
+/// Independent of the notation of the file: comments, order of keys, notation of numbers and poses, aliases,
+/// lines. The same in every locale. Display names are included, because artifacts and reports show them.
 ///
-/// Numbers are exact, but those of rotations and directions, which are rounded to 1e-12: sines differ in
-/// their last digits from machine to machine.
+/// Numbers are exact, except those of rotations and directions, which are rounded to 1e-12, because sines
+/// differ in their last digits between machines.
 [[nodiscard]] std::string canonicalText(const Cell& cell);
 
 /// SHA-256 of the canonical text, 64 hexadecimal digits.

@@ -1,9 +1,9 @@
-// A cell as its file describes it: robots with stations and programs, what they carry, what stands around
-// them.
+// A cell as its file describes it: robots with stations and programs, carried parts, obstacles and
+// mechanisms.
 //
-// Geometry in SI [m, rad], seen from the world unless said otherwise. Steps are goals of the function blocks,
-// in the units of those. Lists of named things are in the order of their names, whatever the order of the
-// file; paths, steps and shapes in that of the file.
+// Geometry is in SI [m, rad], in the world unless stated otherwise. Steps are goals of the function blocks,
+// in their units. Lists of named objects are sorted by name, regardless of the order in the file; paths,
+// steps and shapes keep the order of the file.
 #pragma once
 
 #include <map>
@@ -27,34 +27,34 @@
 
 namespace cobot_command::cell {
 
-/// Where something stands, for the faults of later stages. No part of what a cell means: not hashed.
+/// Position in the file, for the faults of later stages. Not part of the meaning of a cell: not hashed.
 struct Place {
   std::string file;
   int line = 0;    ///< from 1
   int column = 0;  ///< from 1
 };
 
-/// Where a program may rest.
+/// A posture in which a program may rest.
 struct Station {
   std::string name;
   arm::JointVector joints = arm::JointVector::Zero();  ///< [rad]
-  blocks::SixValues degrees{};  ///< the same as the file has them, and as steps have them as their target
+  blocks::SixValues degrees{};  ///< the same as written in the file and in step targets
   Place place;
 };
 
 using StepGoal = std::variant<blocks::MoveAbsoluteGoal, blocks::MoveRelativeGoal, blocks::MoveCircleGoal,
                               blocks::ChangeBaseGoal, blocks::ChangeTcpGoal, blocks::RunScriptGoal>;
 
-/// A command, and what follows it once the robot stands at its target, in this order.
+/// A command, and the actions after the robot has stopped at its target, in this order.
 struct Step {
-  std::string name;  ///< for people; may be empty
+  std::string name;  ///< for display; may be empty
   StepGoal goal;
-  std::string at;      ///< the station that is named in place of a pose, which is in `goal`; empty: none
-  std::string attach;  ///< a part that is carried from here on; empty: none
+  std::string at;      ///< station named as target instead of a pose, which is in `goal`; empty: none
+  std::string attach;  ///< part that is carried from here; empty: none
   std::optional<blocks::SetOutputGoal> output;    ///< is set
   std::optional<blocks::WaitForInputGoal> input;  ///< is waited for
   double dwell = 0;                               ///< [s]
-  std::string detach;  ///< a part that is not carried behind this step; empty: none
+  std::string detach;                             ///< part that is not carried after this step; empty: none
   Place place;
 };
 
@@ -69,24 +69,24 @@ struct Path {
 struct Robot {
   std::string name;
   std::string model;       ///< one of arm::ArmModel::knownNames()
-  std::string name_space;  ///< of its command node
+  std::string name_space;  ///< namespace of its command node
   arm::Pose base = arm::Pose::Identity();
   std::string home;    ///< a station
-  bool holds = false;  ///< holds the zones that its home is in from the start
-  /// In the flange, active at home [mm, deg]; the base that is active there is that of the robot.
+  bool holds = false;  ///< owns the zones around its home from the start
+  /// The TCP in the flange that is active at home [mm, deg]. The active base there is the robot base.
   blocks::SixValues tcp{};
-  std::vector<Shape> tool;  ///< seen from the flange
+  std::vector<Shape> tool;  ///< in the flange
   std::vector<Station> stations;
-  std::vector<Path> program;  ///< a graph of stations
+  std::vector<Path> program;  ///< paths form a graph of stations
   Place place;
 };
 
-/// What robots can carry; it is there only while it is attached.
+/// An object that robots can carry. It exists only while it is attached.
 struct Part {
   std::string name;
-  std::vector<Shape> shapes;  ///< seen from the part
-  std::string on;             ///< the part that carries it; empty: the flange of the robot that attaches it
-  arm::Pose at = arm::Pose::Identity();  ///< seen from what carries it
+  std::vector<Shape> shapes;             ///< in the frame of the part
+  std::string on;                        ///< parent part; empty: the flange of the robot that attaches it
+  arm::Pose at = arm::Pose::Identity();  ///< in the frame of its parent
   Place place;
 };
 
@@ -101,14 +101,14 @@ struct MechanismPosition {
   double value = 0;  ///< [m] or [rad] along or about the axis
 };
 
-/// A motion of a mechanism from one position to another, straight along or about its axis.
+/// A motion of a mechanism between two positions, straight along or about its axis.
 struct MechanismPath {
   std::string name;
   std::string from;  ///< a position
   std::string to;
-  double duration = 0;            ///< for schedules [s]; 0: it is not known
-  bool controllable_go = true;    ///< false: it begins by itself
-  bool controllable_book = true;  ///< false: it enters its zones by itself, once it goes
+  double duration = 0;            ///< for schedules [s]; 0: unknown
+  bool controllable_go = true;    ///< false: it starts automatically
+  bool controllable_book = true;  ///< false: it enters its zones automatically after its go
   Place place;
 };
 
@@ -119,16 +119,16 @@ struct Mechanism {
   std::string name;
   Axis axis = Axis::Prismatic;
   arm::Pose at = arm::Pose::Identity();                  ///< of its frame at position 0
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< of the axis through the frame, of unit length
-  std::vector<Shape> shapes;                             ///< seen from the frame that moves
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< of the axis through the frame, unit vector
+  std::vector<Shape> shapes;                             ///< in the moving frame
   std::vector<MechanismPosition> positions;
   std::string home;    ///< a position
-  bool holds = false;  ///< as of robots
+  bool holds = false;  ///< as for robots
   std::vector<MechanismPath> program;
   Place place;
 };
 
-/// What a cell was read from: its file, and those that it names, by their names in it.
+/// The texts from which a cell was read: its file, and the files that it names, by their names in it.
 struct CellText {
   std::string text;
   std::map<std::string, std::string> files;
@@ -141,10 +141,10 @@ struct Cell {
   std::vector<Part> parts;
   std::vector<Obstacle> obstacles;
   std::vector<Mechanism> mechanisms;
-  CellText source;  ///< no part of what a cell means: not hashed
+  CellText source;  ///< not part of the meaning of a cell: not hashed
 };
 
-/// The thing of that name in such a list; nullptr: there is none.
+/// The object with that name in the list; nullptr: not found.
 template <class Thing>
 [[nodiscard]] const Thing* find(const std::vector<Thing>& things, std::string_view name) {
   for (const Thing& thing : things) {
@@ -153,12 +153,12 @@ template <class Thing>
   return nullptr;
 }
 
-/// Where a mechanism may rest: at home, and where its paths lead from and to; in the order of its positions.
+/// Where a mechanism may rest: at home, and at the ends of its paths; in the order of its positions.
 [[nodiscard]] std::vector<MechanismPosition> stationsOf(const Mechanism& mechanism);
 
-/// Does it go over into the next motion, so that the robot never stands at its target?
+/// True if it blends into the next motion, so that the robot does not stop at its target.
 [[nodiscard]] bool blends(const Step& step);
-/// Does it have a motion?
+/// True if it has a motion.
 [[nodiscard]] bool moves(const Step& step);
 
 }  // namespace cobot_command::cell

@@ -1,5 +1,5 @@
-// The parameters of a cell (cell.md, section 2): a row each, by which they are read, checked, echoed and put
-// into pages.
+// The parameters of a cell (doc/cell.md). Each has a row, by which it is read, checked, echoed and
+// documented.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace cobot_command::cell {
 /// Whether motions are cut before they enter a zone.
 enum class Split { Auto, Never };
 
-/// In SI [m, rad, s]; files have mm and degrees. What each is for stands in the rows of parameterTable().
+/// In SI [m, rad, s]; files have mm and degrees. The rows of parameterTable() have the meanings.
 struct Parameters {
   double voxel = 0.02;
   double step_bound = 0.01;
@@ -34,10 +34,10 @@ struct Parameters {
   Duration aging = std::chrono::seconds(10);
 };
 
-/// Name, range, unit and meaning of each, bound to `parameters`, which outlives the table.
+/// Name, range, unit and meaning of each, bound to `parameters`, which must outlive the table.
 [[nodiscard]] SettingTable parameterTable(Parameters& parameters);
 
-/// All of them as reports echo them, a line each: "voxel 20 mm".
+/// All of them as reports echo them, one line each: "voxel 20 mm".
 [[nodiscard]] std::string describe(const Parameters& parameters);
 
 }  // namespace cobot_command::cell

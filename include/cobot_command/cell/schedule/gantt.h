@@ -1,4 +1,4 @@
-// A schedule as a picture of characters, for people.
+// A schedule as a text chart.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace cobot_command::cell {
 
-/// A line for each robot and each zone, `columns` characters of time wide; at least 10 are taken. What is
-/// shorter than a column may not be seen. Precondition: the schedule is of that problem.
+/// One line for each robot and each zone, with `columns` characters for the time, at least 10. Events shorter
+/// than a column may be invisible. Precondition: the schedule belongs to that problem.
 [[nodiscard]] std::string ganttOf(const Schedule& schedule, const automata::Problem& problem,
                                   std::size_t columns = 72);
 

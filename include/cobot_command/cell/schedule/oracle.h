@@ -1,4 +1,5 @@
-// Our schedules beside those that independent programs have found of the same problems (cell-oracles.json).
+// Compares the schedules of this package with those of independent programs for the same problems
+// (cell-oracles.json).
 #pragma once
 
 #include <string>
@@ -10,7 +11,7 @@
 
 namespace cobot_command::cell {
 
-/// One of each figure of the file's schedules; times in seconds. A fault is a sentence.
+/// One figure for each figure of the file's schedules; times in seconds. A fault is a sentence.
 [[nodiscard]] Result<std::vector<automata::OracleFigure>, std::string> compareSchedulesWithOracles(
     std::string_view file);
 

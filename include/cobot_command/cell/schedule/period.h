@@ -1,4 +1,4 @@
-// How often all robots can make their cycles when they go on and on (cell.md, S6).
+// The shortest repetition period of the cycles of all robots (doc/cell.md).
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace cobot_command::cell {
 
-/// The least time in which each robot makes one cycle, again and again, over all orders on the zones that
-/// repeat from cycle to cycle and begin with all at home. `after` of a robot's first event is the time that
-/// it rests at home at least. None: no order leads home, or more had to be looked at than was allowed.
+/// The shortest period in which each robot makes one cycle, repeatedly, over all orders on the zones that
+/// repeat from cycle to cycle and start with all robots at home. `after` of a robot's first event is its
+/// minimum rest at home. std::nullopt: no order leads home, or the search exceeded its limit.
 ///
 /// Precondition: faultsOfCycles(problem, cycles) is empty.
 [[nodiscard]] std::optional<Duration> leastPeriod(const automata::Problem& problem,

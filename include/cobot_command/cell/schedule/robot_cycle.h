@@ -1,5 +1,5 @@
-// What is to be scheduled: of each robot one way from home to home, with the times between its events
-// (cell.md, M36).
+// Input of the scheduling: one path from home to home per robot, with the times between its events
+// (doc/cell.md).
 #pragma once
 
 #include <cstddef>
@@ -14,28 +14,28 @@ namespace cobot_command::cell {
 
 struct TimedEvent {
   automata::EventIndex event = 0;
-  /// Since the robot's event before it, or since the start. A report comes exactly then; what is controllable
-  /// comes then at the earliest.
+  /// Since the previous event of the robot, or since the start. An uncontrollable event happens exactly then;
+  /// a controllable event happens then at the earliest.
   Duration after{};
 };
 
-/// Where a program branches, the events say which way is taken.
+/// If a program branches, the events determine the branch.
 struct RobotCycle {
-  std::size_t robot = 0;  ///< its plant, into Problem::automata
+  std::size_t robot = 0;  ///< its plant, index into Problem::automata
   std::vector<TimedEvent> events;
 };
 
-/// Each a sentence: what is no robot or not its own event, what its plant cannot do there, times out of
-/// range, a cycle that does not end at home, a report that takes from others what they may. None: can be
-/// scheduled.
+/// One sentence each: not a robot, or an event of another one; an event that its plant does not have there;
+/// times out of range; a cycle that does not end at home; an uncontrollable event that restricts other
+/// robots. Empty: it can be scheduled.
 ///
-/// What plants do that is in no cycle is taken not to happen. Precondition: automata::faultsOf(problem) is
-/// empty.
+/// Events of plants that are in no cycle are assumed not to happen. Precondition: automata::faultsOf(problem)
+/// is empty.
 [[nodiscard]] std::vector<std::string> faultsOfCycles(const automata::Problem& problem,
                                                       const std::vector<RobotCycle>& cycles);
 
-/// The one way of a plant without branches, its first event at once: gaps[k] is the time between its events k
-/// and k + 1 [s]. A fault is a sentence.
+/// The only path of a plant without branches, its first event immediately: gaps[k] is the time between its
+/// events k and k + 1 [s]. A fault is a sentence.
 [[nodiscard]] Result<RobotCycle, std::string> cycleWithGaps(const automata::Problem& problem,
                                                             std::size_t robot,
                                                             const std::vector<double>& gaps);

@@ -1,8 +1,9 @@
-// The order of a schedule as a further restriction while the cell runs (cell.md, M37).
+// Enforces the order of a schedule at run time, as an additional restriction (doc/cell.md).
 //
-// It only says no: what is granted is still up to the supervisor. Pure; who keeps it tells it what happened.
-// A largest supervisor never refuses for good what this order waits for, as the robots can come home in it
-// from wherever they are in it; a safe order may, so that a schedule is kept under a supervisor only.
+// It only refuses; grants are still decided by the supervisor. Pure; its owner reports the events to it. A
+// maximally permissive supervisor never permanently refuses the event that this order waits for, because in
+// this order the robots can reach home from each of its states. A safe order may refuse it permanently, so a
+// schedule is used only with a supervisor.
 #pragma once
 
 #include <cstddef>
@@ -16,23 +17,23 @@ namespace cobot_command::cell {
 
 class ScheduleOrder {
  public:
-  /// On each zone the bookings of the schedule, again and again, from the first one on. A booking that cannot
-  /// be refused has its turn when the event is granted that it follows.
+  /// Repeats the bookings of the schedule on each zone, from the first one. The turn of an uncontrollable
+  /// booking is used when the event that it follows is granted.
   explicit ScheduleOrder(const std::vector<ZoneOrder>& zones);
 
-  /// It is its turn on each zone that it books. True for what books nothing.
+  /// True if it is the event's turn on each zone that it books, or if it books nothing.
   [[nodiscard]] bool allows(automata::EventIndex event) const;
-  /// The robot whose turn it is instead, on the first zone where it is another's.
+  /// The robot whose turn it is instead, on the first zone where it is the turn of another robot.
   [[nodiscard]] std::optional<std::size_t> awaits(automata::EventIndex event) const;
 
-  /// It was granted. Of no effect while the order is off.
+  /// The event was granted. No effect while the order is off.
   void granted(automata::EventIndex event);
-  /// It was granted, nothing was done with it, and it was taken back.
+  /// The event was granted, was not used, and was taken back.
   void withdrawn(automata::EventIndex event);
 
-  /// After a fault: allows everything until all are home.
+  /// After a fault: allows everything until all robots are at home.
   void switchOff();
-  /// All robots are home: the order begins anew, if it was off.
+  /// All robots are at home: the order starts again if it was off.
   void allHome();
   [[nodiscard]] bool isOn() const { return is_on_; }
 

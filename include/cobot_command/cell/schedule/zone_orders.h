@@ -1,4 +1,4 @@
-// How many ways there are for robots to hold their zones one after the other.
+// Counts the orders in which robots can hold their zones one after the other.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@
 namespace cobot_command::cell {
 
 struct ZoneOrderCounts {
-  std::uint64_t orders = 1;  ///< of all zones together; the greatest number: that many or more
-  /// In which robots wait for each other in a circle, so that they never come home; none: more orders had to
-  /// be looked at than were allowed.
+  std::uint64_t orders = 1;  ///< of all zones together; the largest number means that many or more
+  /// Orders in which robots wait for each other in a cycle, so that they never reach home; std::nullopt: the
+  /// search exceeded its limit.
   std::optional<std::uint64_t> circular;
 };
 

@@ -1,4 +1,4 @@
-// Motions cut before they enter a zone, so that it is booked as late as that saves something (cell.md, M14).
+// Cuts motions before they enter a zone, so that the zone is booked later if that saves time (doc/cell.md).
 //
 // SI [m, rad].
 #pragma once
@@ -18,22 +18,22 @@
 
 namespace cobot_command::cell {
 
-/// A cut has to make a hold at least so much shorter.
+/// A cut must shorten a hold by at least this time.
 inline constexpr Duration kLeastSaved = std::chrono::milliseconds(500);
 
 struct CutReport {
   std::string robot;
   std::string path;
-  std::size_t step = 0;            ///< of the path as it was given, from 0
-  std::size_t behind = 0;          ///< step of the path as it is now, which books
-  std::vector<std::string> zones;  ///< that are booked there, and not with the step before it
-  double progress = 0.0;           ///< of the way of the step as it was given, 0..1
-  Duration saved{};                ///< of holding, when nothing waits
-  CutMeasure measure;              ///< deviations are those from the step as it was given
+  std::size_t step = 0;            ///< of the given path, from 0
+  std::size_t behind = 0;          ///< step of the resulting path that books
+  std::vector<std::string> zones;  ///< booked there, and not with the step before it
+  double progress = 0.0;           ///< share of the path of the given step, 0..1
+  Duration saved{};                ///< holding time, without waiting
+  CutMeasure measure;              ///< deviations from the given step
 };
 
-/// A cell with cut programs, and all that is made of it: as planCell(), claimCell(), findZones() and
-/// holdZones() find it.
+/// A cell with cut programs, and all results for it: as from planCell(), claimCell(), findZones() and
+/// holdZones().
 struct SplitCell {
   Cell cell;
   std::vector<CutReport> cuts;  ///< by robots, paths and steps
@@ -43,17 +43,17 @@ struct SplitCell {
   HeldCell held;
 };
 
-/// Each PTP, line and arc with which a zone is booked is cut at the end of the last piece in front of the
-/// first one that touches the zone, where that saves kLeastSaved and the halves keep the path; or some pieces
-/// before it, where the pieces of the half are others and touch. Nothing with Split::Never.
+/// Cuts each PTP, line and arc that books a zone at the end of the last piece before the first piece that
+/// touches the zone, if that saves kLeastSaved and the halves keep the path. The cut is some pieces earlier
+/// if the pieces of the half differ and touch the zone. No cuts with Split::Never.
 ///
-/// Of the holding that is saved only the time counts by which a robot that nothing stops books later: the
-/// second half is sent when the first one begins to slow down.
+/// Only the time by which an unhindered robot books later counts as saved holding time: the second half is
+/// sent when the first one starts to decelerate.
 ///
-/// The same cell, the same result, on any number of threads. Faults, each a sentence: those of the stages for
-/// the cell as it is given.
+/// The same cell gives the same result on any number of threads. Faults, one sentence each: those of the
+/// stages for the given cell.
 [[nodiscard]] Result<SplitCell, std::vector<std::string>> splitCell(const Cell& cell, unsigned threads = 1);
-/// The same of a cell of which all is made already but for its cuts. Claims are large: they are not copied.
+/// The same for a cell with all results except the cuts. Claims are large and are not copied.
 [[nodiscard]] Result<SplitCell, std::vector<std::string>> splitCell(SplitCell whole, unsigned threads);
 
 }  // namespace cobot_command::cell

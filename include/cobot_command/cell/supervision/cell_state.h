@@ -1,4 +1,4 @@
-// What the supervisor tells everyone: all of it each time.
+// The state that the supervisor publishes, complete each time.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,21 @@
 namespace cobot_command::cell {
 
 enum class SupervisorMode : std::uint8_t {
-  Starting,  ///< until each robot has told where it is, and that is where it has to be
-  Ready,     ///< all stand at home
+  Starting,  ///< until each robot has reported its position, and all positions are valid
+  Ready,     ///< all robots are at home
   Running,
   Holding,   ///< nothing new is granted
-  Recovery,  ///< after a restart that does not fit, until each robot that is named was recovered
-  Fault      ///< nothing is granted until the supervisor is started anew
+  Recovery,  ///< after a restart with invalid positions, until each named robot was recovered
+  Fault      ///< nothing is granted until the supervisor is restarted
 };
 [[nodiscard]] const char* toString(SupervisorMode mode);
 
 enum class RobotState : std::uint8_t {
-  Absent,  ///< it has not told anything yet
+  Absent,  ///< it has not reported yet
   Ready,
   Moving,
   Waiting,
-  Lost,  ///< silent for longer than the lease, or started anew
+  Lost,  ///< silent for longer than the lease, or restarted
   Manual,
   OffPath,
   Fault,
@@ -38,29 +38,30 @@ enum class RobotState : std::uint8_t {
 enum class WaitReason : std::uint8_t {
   None,
   ZoneHeld,
-  WouldBlock,   ///< not all could come home behind it
-  Aged,         ///< one that has waited for long goes first
-  Quarantined,  ///< the zone is that of a robot that is lost, or stands in it unasked
-  Holding,      ///< nothing is granted now
-  Scheduled     ///< it is another's turn on the zone, by the schedule
+  WouldBlock,   ///< afterwards not all robots could reach home
+  Aged,         ///< a robot that has waited for long has priority
+  Quarantined,  ///< the zone is that of a lost robot, or a robot is in it without permission
+  Holding,      ///< grants are on hold
+  Scheduled     ///< according to the schedule it is another robot's turn on the zone
 };
 [[nodiscard]] const char* toString(WaitReason reason);
 
 struct RobotStatus {
   std::string name;
   RobotState state = RobotState::Absent;
-  std::uint64_t session = 0;       ///< that is listened to
+  std::uint64_t session = 0;       ///< accepted session
   std::uint64_t acknowledged = 0;  ///< the highest number that was carried out
-  /// How often it was let in, or recovered: once more, and it goes on from `place`, whatever it was before.
+  /// How often it was admitted or recovered. When it increases, the robot continues from `place`, whatever
+  /// its place was before.
   std::uint32_t joins = 0;
   std::string place;
   WaitReason reason = WaitReason::None;
   std::vector<std::string> blocked_by;  ///< robots
   std::uint32_t place_in_queue = 0;     ///< 1: next; 0: it waits for nothing
   Duration waiting{};
-  std::uint64_t report = 0;  ///< number of the last one that was heard of this session; 0: none
+  std::uint64_t report = 0;  ///< number of the last received report of this session; 0: none
   Duration report_age{};
-  std::string text;  ///< a sentence, where something is wrong
+  std::string text;  ///< a sentence if there is a problem
 };
 
 enum class ZoneState : std::uint8_t { Free, Held, Quarantined };
@@ -71,25 +72,25 @@ struct ZoneStatus {
   std::vector<std::string> users;
   ZoneState state = ZoneState::Free;
   std::string owner;
-  Duration since{};  ///< how long it has been so
+  Duration since{};  ///< duration of this state
   std::vector<std::string> waiting;
 };
 
 struct CellStatus {
   std::string cell;
   std::string hash;            ///< the digest of the artifact
-  std::uint64_t instance = 0;  ///< drawn with the journal
-  std::uint64_t epoch = 0;     ///< one more with each start
-  std::uint64_t events = 0;    ///< carried out since the journal began
+  std::uint64_t instance = 0;  ///< random number, created with the journal
+  std::uint64_t epoch = 0;     ///< increases with each start
+  std::uint64_t events = 0;    ///< carried out since the start of the journal
   SupervisorMode mode = SupervisorMode::Starting;
   std::string policy;
   bool is_finishing = false;  ///< no robot begins another cycle
   std::vector<RobotStatus> robots;
   std::vector<ZoneStatus> zones;
-  std::string diagnosis;  ///< a sentence, where something keeps the cell
+  std::string diagnosis;  ///< a sentence if something blocks the cell
 };
 
-/// They tell the same, but for how long it has been so and what was heard last.
+/// True if they are equal except for durations and received report numbers.
 [[nodiscard]] bool areAlike(const CellStatus& one, const CellStatus& other);
 
 }  // namespace cobot_command::cell

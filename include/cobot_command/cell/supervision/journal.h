@@ -1,7 +1,7 @@
-// What a supervisor has carried out, so that it knows after a restart (cell.md, M30).
+// The journal of the events that a supervisor has carried out, for its restart (doc/cell.md).
 //
-// A record is a line: a checksum, and the record as JSON. A torn last line was never told to anyone, and is
-// dropped. So that a journal does not grow for ever, a snapshot takes the place of all records before it.
+// A record is a line: a checksum, and the record as JSON. A torn last line was never published, and is
+// dropped. To bound the journal, a snapshot replaces all records before it.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,13 @@
 
 namespace cobot_command::cell::journal {
 
-/// The supervisor has started, with this artifact.
+/// The supervisor was started with this artifact.
 struct Started {
   std::uint64_t instance = 0;
   std::uint64_t epoch = 0;
   std::string hash;
 };
-/// From now on that session of a robot is listened to; its numbers begin behind `acknowledged`.
+/// This session of a robot is accepted from now on. Its numbers start after `acknowledged`.
 struct Joined {
   std::string robot;
   std::uint64_t session = 0;
@@ -34,27 +34,27 @@ struct CarriedOut {
   std::uint64_t session = 0;
   NumberedEvent event;
 };
-/// A person has said where it is.
+/// An operator has stated its place.
 struct Recovered {
   std::string robot;
   std::string place;
   std::string person;
 };
-/// A person has taken it out of the cell, with all zones that it had.
+/// An operator has taken it out of the cell, with all its zones.
 struct TakenOut {
   std::string robot;
   std::string person;
 };
-/// Nothing is granted from now on, for that reason; or everything again.
+/// Nothing is granted from now on, for that reason; or grants continue.
 struct Held {
   bool on = false;
   std::string reason;
 };
-/// No robot sets out from home from now on; or all again.
+/// No robot starts from home from now on; or robots start again.
 struct Finishing {
   bool on = false;
 };
-/// What all records before it come to.
+/// The accumulated result of all records before it.
 struct Snapshot {
   struct Robot {
     std::string robot;
@@ -76,9 +76,9 @@ struct Snapshot {
 };
 using Record = std::variant<Started, Joined, CarriedOut, Recovered, TakenOut, Held, Finishing, Snapshot>;
 
-/// Of the artifact; nullptr: the record names none.
+/// Hash of the artifact; nullptr: the record has none.
 [[nodiscard]] const std::string* hashOf(const Record& record);
-/// Somebody had been let in by then.
+/// True if the record implies that a robot was admitted.
 [[nodiscard]] bool tellsOfRobots(const Record& record);
 
 [[nodiscard]] std::string toLine(const Record& record);
@@ -87,17 +87,17 @@ struct Damage {
   std::size_t line = 0;  ///< from 1
   std::string message;
 };
-/// All records of a journal; `torn` bytes at its end are of one that was not written wholly.
+/// All records of a journal. The last `torn` bytes belong to an incomplete record.
 struct Contents {
   std::vector<Record> records;
   std::size_t torn = 0;
 };
 [[nodiscard]] Result<Contents, Damage> read(std::string_view bytes);
 
-/// Writes a line so that it is there after a loss of power; false: it could not, and nothing of it counts.
+/// Writes a line durably, so that it survives a power loss; false: not written, and the line is void.
 using Append = std::function<bool(const std::string& line)>;
-/// Has that line take the place of all that was written, so that at any moment either all of that is there or
-/// the line; false: it could not, and the journal is what it was, or cannot be appended to any more.
+/// Replaces the whole journal by that line, so that at any time either all old records or the line exist;
+/// false: not replaced, and the journal is unchanged or can no longer be appended to.
 using Replace = std::function<bool(const std::string& line)>;
 
 }  // namespace cobot_command::cell::journal

@@ -1,8 +1,8 @@
-// Who may go where next, for all robots of a cell: takes their reports, grants what they want, and tells how
-// things stand.
+// The supervisor of a cell at run time: receives the reports of all robots, grants their requests, and
+// provides the state to publish.
 //
-// Pure: an event and the time in, the state and what to do out. One thread owns it. What was carried out is
-// in the journal before anyone is told.
+// Pure: its inputs are events and the time, its outputs the state and stop orders. Owned by one thread. Every
+// event is in the journal before it is published.
 #pragma once
 
 #include <array>
@@ -22,38 +22,38 @@
 
 namespace cobot_command::cell {
 
-/// By zone: the robots that book it in one cycle of all, in their order; empty: whoever comes first.
+/// By zone: the robots that book it in one cycle of all robots, in order; empty: first come, first served.
 using ZoneOrders = std::vector<std::vector<RobotIndex>>;
 
 struct SupervisionSettings {
-  Duration lease = std::chrono::milliseconds(500);  ///< silent for longer, a robot is lost
-  Duration aging = std::chrono::seconds(10);        ///< a request that is older goes first
-  /// Robots take turns on the zones, as long as nobody fails; empty: they do not.
+  Duration lease = std::chrono::milliseconds(500);  ///< a robot that is silent for longer is lost
+  Duration aging = std::chrono::seconds(10);        ///< an older request has priority
+  /// Robots take turns on the zones as long as no robot fails; empty: no turns.
   ZoneOrders turns = {};
-  std::size_t most_records = 100000;  ///< of the journal, before it is made anew
+  std::size_t most_records = 100000;  ///< of the journal, before it is compacted
 };
 
-/// What a supervisor asks about the robots that it knows only by number.
+/// Services that the supervisor needs; robots are identified by number.
 struct SupervisionPorts {
   journal::Append append;
-  journal::Replace replace;  ///< empty: the journal grows on
-  /// Whether a robot with those joints [rad] stands where that place of its program is.
+  journal::Replace replace;  ///< empty: the journal is never compacted
+  /// True if a robot with those joints [rad] is at that place of its program.
   std::function<bool(RobotIndex robot, automata::StateIndex place, const std::array<double, 6>& joints)> fits;
 };
 
-/// A robot is to be stopped, whatever it does.
+/// A robot must be stopped, whatever it does.
 struct StopOrder {
   RobotIndex robot = 0;
   std::string why;
 };
 
-/// What a person has asked for: whether it was done, and a sentence.
+/// Answer to an operator: whether the request was done, and a sentence.
 struct PersonsAnswer {
   bool success = false;
   std::string message;
 };
 
-/// What was not even looked at, for diagnostics.
+/// Unused reports, for diagnostics.
 struct SupervisionCounts {
   std::uint64_t malformed = 0;
   std::uint64_t unknown_robots = 0;
@@ -64,38 +64,38 @@ struct SupervisionCounts {
 
 class Supervision {
  public:
-  /// `hash`: the digest of the artifact. `records`: of the journal; empty: it is new. `instance` is that of a
-  /// new journal. The first record is appended at once.
+  /// `hash`: the digest of the artifact. `records`: of the journal; empty: a new one. `instance` is that of a
+  /// new journal. The first record is appended immediately.
   Supervision(Rules rules, std::string hash, std::uint64_t instance,
               const std::vector<journal::Record>& records, SupervisionSettings settings,
               SupervisionPorts ports);
   ~Supervision();
 
-  // --- What happens.
-  /// False: it tells nothing, as it is malformed, old, or of nobody who is listened to.
+  // --- Inputs.
+  /// Returns false if the report is ignored: malformed, old, or from an unknown robot or session.
   bool take(const RobotReport& report, Instant now);
   void tick(Instant now);
 
-  // --- What people ask for.
-  /// Nothing new is granted; what was sent goes to its end.
+  // --- Operator requests.
+  /// Nothing new is granted; sent motions run to their end.
   PersonsAnswer hold(bool on, Instant now);
-  /// None sets out from home any more; all end there.
+  /// No robot starts from home any more; all goals end there.
   PersonsAnswer finish(bool on, Instant now);
   PersonsAnswer stop(Instant now);
   PersonsAnswer recover(const std::string& robot, const std::string& place, const std::string& person,
                         Instant now);
-  /// `was_moved`: the robot is not any more where it was measured last.
+  /// `was_moved`: the robot is no longer at its last measured position.
   PersonsAnswer confirmClear(const std::string& robot, const std::string& person, bool was_moved,
                              Instant now);
   PersonsAnswer takeOut(const std::string& robot, const std::string& person, Instant now);
 
-  // --- How things stand.
+  // --- State and outputs.
   [[nodiscard]] CellStatus status(Instant now) const;
   [[nodiscard]] const automata::Tuple& tuple() const;
   [[nodiscard]] const SupervisionCounts& counts() const;
-  /// Since the last call, in their order.
+  /// All since the last call, in order.
   [[nodiscard]] std::vector<StopOrder> takeStopOrders();
-  /// When tick() has something to do, if nothing else happens before.
+  /// The time of the next tick(), if nothing else happens before.
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
 
  private:

@@ -1,4 +1,4 @@
-// How far the bodies of a robot can move while its joints stay in a box (cell.md, M8).
+// How far the bodies of a robot can move while its joints stay in a box (doc/cell.md).
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@
 
 namespace cobot_command::cell {
 
-/// No point of this body is farther [m] than this from where it is at the centre of the box, at any joints in
-/// it. `capsule` and `axes` are at the centre, `link` is the one of the body, `half_widths` [rad, not
+/// Largest distance [m] of any point of this body from its position at the centre of the box, for all joints
+/// in the box. `capsule` and `axes` are at the centre, `link` is that of the body, `half_widths` [rad, not
 /// negative] are those of the box.
 [[nodiscard]] double displacementBound(const Capsule& capsule, std::size_t link, const arm::JointAxes& axes,
                                        const arm::JointVector& half_widths);
 
-/// The largest of them, of all bodies of a robot; `placed` is the robot at the centre of the box.
+/// The largest bound of all bodies of a robot; `placed` is the robot at the centre of the box.
 [[nodiscard]] double largestDisplacement(const RobotBodies& robot, const PlacedRobot& placed,
                                          const arm::JointVector& half_widths);
 

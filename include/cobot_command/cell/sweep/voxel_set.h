@@ -1,7 +1,7 @@
 // Sets of voxels: cubes of one grid, whose origin is that of the world.
 //
-// Bits in blocks of 8 x 8 x 8, so that what is done to sets is done to 64 voxels at once. A set knows no
-// edge: who brings sets together sees to it that they are of one grid.
+// Stored as bits in blocks of 8 x 8 x 8, so set operations process 64 voxels at once. A set does not store
+// the edge; the caller must combine only sets of the same grid.
 #pragma once
 
 #include <array>
@@ -24,19 +24,20 @@ namespace cobot_command::cell {
 using Voxel = std::array<std::int32_t, 3>;
 inline constexpr std::int32_t kFarthestVoxel = 1 << 24;
 
-/// In which voxel a point is [m]; on a face the one above it. Precondition: not beyond kFarthestVoxel.
+/// The voxel that contains a point [m]; on a face, the voxel with the larger coordinate. Precondition: not
+/// beyond kFarthestVoxel.
 [[nodiscard]] Voxel voxelAt(const Eigen::Vector3d& point, double edge);
 /// The cube of a voxel [m].
 [[nodiscard]] AlignedBox cubeOf(const Voxel& voxel, double edge);
 
-/// The 512 voxels of a block. One word for each x, from low to high; in it bit 8 y + z.
+/// The 512 voxels of a block. One word per x, from low to high; bit 8 y + z in it.
 struct VoxelBlock {
   std::array<std::uint64_t, 8> words{};
 
   [[nodiscard]] bool empty() const;
 };
 
-/// Of voxels or blocks, both included.
+/// Bounds of voxels or blocks, both inclusive.
 struct VoxelBounds {
   Voxel lower{};
   Voxel upper{};
@@ -46,17 +47,17 @@ struct VoxelBounds {
   }
 };
 
-/// A value. Several threads may read one at once.
+/// A value. Several threads may read it concurrently.
 class VoxelSet {
  public:
-  /// False when it was there already.
+  /// Returns false if it was already in the set.
   bool insert(const Voxel& voxel);
   [[nodiscard]] bool contains(const Voxel& voxel) const;
   [[nodiscard]] bool empty() const { return entries_.empty(); }
   [[nodiscard]] std::size_t count() const;
   void clear();
 
-  /// Unites with the voxels of one block: those from 8 times `block` on.
+  /// Inserts the voxels of one block, which starts at 8 times `block`.
   void insertBlock(const Voxel& block, const VoxelBlock& voxels);
 
   VoxelSet& operator|=(const VoxelSet& other);
@@ -68,31 +69,31 @@ class VoxelSet {
   friend bool operator==(const VoxelSet& a, const VoxelSet& b);
   friend bool operator!=(const VoxelSet& a, const VoxelSet& b) { return !(a == b); }
 
-  /// Whether they have a voxel in common; and how many. Without making that set.
+  /// Whether the sets have common voxels, and how many, without creating the intersection.
   [[nodiscard]] bool touches(const VoxelSet& other) const;
   [[nodiscard]] std::size_t countCommon(const VoxelSet& other) const;
 
-  /// Nothing for an empty set.
+  /// std::nullopt for an empty set.
   [[nodiscard]] std::optional<VoxelBounds> bounds() const;
 
-  /// The first by x, then y, then z. Nothing for an empty set.
+  /// The first by x, then y, then z. std::nullopt for an empty set.
   [[nodiscard]] std::optional<Voxel> lowest() const;
 
-  /// All voxels, by x, then y, then z.
+  /// All voxels, sorted by x, then y, then z.
   [[nodiscard]] std::vector<Voxel> sorted() const;
 
-  /// Those whose coordinate along `axis` (0 to 2) is below `at`, and the others.
+  /// The voxels whose coordinate along `axis` (0 to 2) is below `at`, and the others.
   [[nodiscard]] std::pair<VoxelSet, VoxelSet> cut(std::size_t axis, std::int32_t at) const;
 
-  /// The sets that hang together by faces, edges or corners, by their lowest() voxels.
+  /// The components connected by faces, edges or corners, ordered by their lowest() voxels.
   [[nodiscard]] std::vector<VoxelSet> components() const;
 
-  /// The same bytes for the same voxels, on any machine and however they were put in.
+  /// The same bytes for the same voxels, on every machine and for every order of insertion.
   [[nodiscard]] std::string bytes() const;
-  /// Nothing when they are not exactly those of bytes() of a set.
+  /// std::nullopt if they are not exactly the bytes() of a set.
   [[nodiscard]] static std::optional<VoxelSet> fromBytes(std::string_view bytes);
 
-  /// What the set keeps allocated [bytes].
+  /// Allocated memory of the set [bytes].
   [[nodiscard]] std::size_t memory() const;
 
  private:
@@ -110,7 +111,7 @@ class VoxelSet {
   void dropEmptyBlocks();
 
   std::vector<Entry> entries_;        ///< none of them empty, in any order
-  std::vector<std::uint32_t> index_;  ///< open addressing: 0 for none, else the place in entries_, plus 1
+  std::vector<std::uint32_t> index_;  ///< open addressing: 0 for none, else the index in entries_, plus 1
 };
 
 }  // namespace cobot_command::cell

@@ -1,5 +1,5 @@
-// From where to where on its paths a robot or mechanism holds each zone, and the program that follows of that
-// (cell.md, M13 to M16).
+// The part of its paths on which a robot or mechanism holds each zone, and the resulting program
+// (doc/cell.md).
 #pragma once
 
 #include <cstddef>
@@ -15,23 +15,23 @@
 
 namespace cobot_command::cell {
 
-/// On one path. It begins with the frame that enters first, as that is sent only with the zone, and ends
-/// behind the last piece that touches it.
+/// The hold of a zone on one path. It starts with the first frame that enters the zone, because this frame is
+/// sent only if the robot holds the zone. It ends after the last piece that touches the zone.
 struct Hold {
   ZoneIndex zone = 0;
-  std::optional<std::size_t> first_frame;  ///< nothing: held since before the path
-  std::size_t first_piece = 0;             ///< the first one of that frame
-  std::optional<std::size_t> last_piece;   ///< nothing: held at the station behind it, too
+  std::optional<std::size_t> first_frame;  ///< std::nullopt: held since before the path
+  std::size_t first_piece = 0;             ///< the first piece of that frame
+  std::optional<std::size_t> last_piece;   ///< std::nullopt: also held at the station after it
 
   [[nodiscard]] bool covers(std::size_t piece) const {
     return piece >= first_piece && (!last_piece || piece <= *last_piece);
   }
 };
 
-/// Where on a path a zone step of its program has its place.
+/// The position of a zone step on its path.
 struct ZonePlace {
-  std::size_t frame = 0;  ///< a booking: before it is sent
-  std::size_t piece = 0;  ///< a release: behind it
+  std::size_t frame = 0;  ///< a booking: before this frame is sent
+  std::size_t piece = 0;  ///< a release: after this piece
 };
 
 struct HeldPath {
@@ -41,7 +41,7 @@ struct HeldPath {
 
 struct HeldRobot {
   std::vector<HeldPath> paths;
-  std::vector<std::vector<ZoneIndex>> at_stations;  ///< by station: zones that its rest touches, ascending
+  std::vector<std::vector<ZoneIndex>> at_stations;  ///< [station]: zones that its rest touches, ascending
 };
 
 struct HeldCell {
@@ -49,7 +49,7 @@ struct HeldCell {
   CellProgram program;
 };
 
-/// Faults, each a sentence: a zone that contains the home of a robot without `holds`, or that a robot never
+/// Faults, one sentence each: a zone that contains the home of a robot without `holds`, or that a robot never
 /// leaves.
 [[nodiscard]] Result<HeldCell, std::vector<std::string>> holdZones(const Cell& cell,
                                                                    const std::vector<PlannedRobot>& planned,

@@ -1,4 +1,4 @@
-// Whether zones are enough, found out anew without voxels (cell.md, M17): wherever no zone keeps two robots
+// Checks independently of voxels that the zones are sufficient (doc/cell.md): if no zone keeps two robots
 // apart, their bodies are at least the margin apart.
 #pragma once
 
@@ -13,14 +13,14 @@ namespace cobot_command::cell {
 
 struct Soundness {
   std::vector<std::string>
-      faults;             ///< each a sentence with robots, paths, steps and what is left between them
-  double least = 0.0;     ///< what is left between the worst pair [m]
-  std::string worst;      ///< that pair: "RA HOME>T1 step 2, RB at HOME"
-  std::size_t pairs = 0;  ///< of pieces that were looked at
+      faults;             ///< one sentence each, with robots, paths, steps and their remaining distance
+  double least = 0.0;     ///< remaining distance of the worst pair [m]
+  std::string worst;      ///< the worst pair: "RA HOME>T1 step 2, RB at HOME"
+  std::size_t pairs = 0;  ///< number of checked pairs of pieces
 };
 
-/// Of all pairs of pieces of different robots that no zone is held in both, and of all pieces with the
-/// obstacles: the distance of all bodies at the centres, less what they can move.
+/// Checks all pairs of pieces of different robots that have no held zone in common, and all pieces with the
+/// obstacles: the distance of all bodies at the centres, minus their possible displacement.
 [[nodiscard]] Soundness checkSoundness(const Cell& cell, const std::vector<RobotClaim>& claims,
                                        const HeldCell& held);
 

@@ -1,4 +1,4 @@
-// Spaces that robots share: each may be held by one of them at a time (cell.md, M11 and M12).
+// Spaces that several robots share. One robot at a time may hold each (doc/cell.md).
 #pragma once
 
 #include <string>
@@ -17,14 +17,14 @@ struct Zone {
   VoxelSet voxels;
 };
 
-/// What is in the claims of two robots, in parts that hang together; those longer than `zone_size` are cut in
-/// the middle, those of a few voxels put to what is near, and those of different users that share
+/// The connected parts of the space in the claims of two robots. Parts longer than `zone_size` are cut in the
+/// middle, parts of a few voxels are merged with a near part, and parts of different users that share
 /// `zone_overlap` of the smaller one are united. Numbered by the names of their users, then by their lowest
 /// voxels. A fault is a sentence: there are more than `max_zones`.
 [[nodiscard]] Result<std::vector<Zone>, std::string> findZones(const std::vector<RobotClaim>& claims,
                                                                const Parameters& parameters);
 
-/// "x -120..140, y -80..60, z 300..720 mm": its box.
+/// The bounding box: "x -120..140, y -80..60, z 300..720 mm".
 [[nodiscard]] std::string boxOf(const Zone& zone, double voxel);
 
 }  // namespace cobot_command::cell

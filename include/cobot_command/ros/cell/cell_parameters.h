@@ -1,4 +1,4 @@
-// The parameters by which a command node has a seat in a cell.
+// The parameters that make a command node a member of a cell.
 #pragma once
 
 #include <optional>
@@ -8,16 +8,17 @@
 
 namespace cobot_command::ros_adapter {
 
-/// `cell` is empty outside of cells.
+/// `cell` is empty if the node belongs to no cell.
 struct CellParameters {
-  std::string cell;      ///< the namespace of the supervisor
-  std::string robot;     ///< its name in the cell
-  std::string artifact;  ///< absolute path of the file that `tm_cell build` has written
+  std::string cell;   ///< the namespace of the supervisor
+  std::string robot;  ///< the robot's name in the cell
+  /// Absolute path of the file written by `tm_cell build`.
+  std::string artifact;
 };
 
-/// A row for each; `parameters` outlives them.
+/// A row for each parameter; `parameters` must outlive the table.
 [[nodiscard]] SettingTable cellRows(CellParameters& parameters);
-/// What does not fit together.
+/// Parameters that contradict each other; nullopt: none.
 [[nodiscard]] std::optional<SettingFault> faultIn(const CellParameters& parameters);
 
 }  // namespace cobot_command::ros_adapter

@@ -1,5 +1,5 @@
-// The seat of a robot's command node in its cell: its agent, on the core's thread, and the topics by which it
-// and the supervisor hear of each other.
+// The seat of a robot's command node in its cell: the robot's agent, on the core's thread, and the topics
+// between the agent and the supervisor.
 #pragma once
 
 #include <functional>
@@ -24,19 +24,20 @@ namespace cobot_command::ros_adapter {
 
 class CellSeat {
  public:
-  /// Has the core's thread call that, and look at its goals anew then.
+  /// Calls the function on the core's thread; the core checks its goals again afterwards.
   using InCore = std::function<void(std::function<void(Instant now)>)>;
 
-  /// `model`: of the robot; empty: not known by name. A fault is a sentence.
+  /// `model`: of the robot; empty: its name is not known. An error is a sentence.
   [[nodiscard]] static Result<std::unique_ptr<CellSeat>, std::string> of(const CellParameters& parameters,
                                                                          const std::string& model);
   ~CellSeat();
 
-  /// Of the core that this seat is for.
+  /// Sets the ports of the core that this seat is for.
   void fill(command::CorePorts& ports) const;
-  /// From now on it hears and tells. On a thread of its own: no service that takes long makes it silent.
+  /// From now on it receives and publishes, on a thread of its own: a slow service does not stop its
+  /// messages.
   void start(const ros::NodeHandle& node, InCore in_core);
-  /// Nothing is heard any more.
+  /// It receives nothing any more.
   void stop();
   /// On the core's thread.
   void observe(const link::RobotStatus& status, Instant now);

@@ -1,7 +1,8 @@
-// The node that watches a cell: it stops all robots when two of them come too close, and draws the cell for
-// RViz. It is no safety function (cell/monitor/monitor.h).
+// The node that monitors a cell: it stops all robots if two of them come too close, and draws the cell for
+// RViz. It is not a safety function (cell/monitor/monitor.h).
 //
-// What it offers is relative to the node's namespace, which is that of the cell. To be spun by one thread.
+// Its topics and services are relative to the node's namespace, which is that of the cell. It must be spun by
+// one thread.
 #pragma once
 
 #include <memory>
@@ -17,15 +18,15 @@ namespace cobot_command::ros_adapter {
 
 class MonitorNode {
  public:
-  /// Watches from here on. `self`: the node's private namespace. The faults, each a sentence: files that
-  /// cannot be read or used, an artifact of another cell, settings that do not fit the cell.
+  /// Monitoring begins here. `self`: the node's private namespace. The errors, each a sentence: files that
+  /// are unreadable or unusable, an artifact of another cell, settings that do not fit the cell.
   [[nodiscard]] static Result<std::unique_ptr<MonitorNode>, std::vector<std::string>> of(
       const ros::NodeHandle& node, const ros::NodeHandle& self, const MonitorParameters& parameters);
   ~MonitorNode();  ///< stop()
   MonitorNode(const MonitorNode&) = delete;
   MonitorNode& operator=(const MonitorNode&) = delete;
 
-  /// Nothing is watched any more: robots go on. It may be called again.
+  /// Ends the monitoring: robots continue. May be called again.
   void stop();
 
  private:

@@ -1,13 +1,14 @@
-// One function block as an action server: goals go to the core, what becomes of them comes back here.
+// One function block as an action server: it passes goals to the core, and returns their results.
 //
-// A goal is PENDING until it is its turn, and may end before. A cancel of all goals (empty GoalID) comes in
-// as one cancel for each.
+// A goal is PENDING until its turn, and may end before. A cancel of all goals (empty GoalID) arrives as one
+// cancel for each goal.
 //
-// The id of a goal is the number of its receipt, so that ids say which goals were received before a stop or a
-// cancel, whichever of them is served first.
+// The id of a goal is the number of its receipt. So the ids show which goals were received before a stop or a
+// cancel, whichever of them is processed first.
 //
-// Threads: goals come in on one, cancels on another, the core's thread calls accepted(), progressed() and
-// ended(); all at once is fine. The bridge never holds its own lock while it calls the action server.
+// Threads: goals arrive on one, cancels on another, and the core's thread calls accepted(), progressed() and
+// ended(). All of this may happen at the same time. The bridge never holds its own lock while it calls the
+// action server.
 #pragma once
 
 #include <algorithm>
@@ -26,32 +27,34 @@
 
 namespace cobot_command::ros_adapter {
 
-/// Where goals go.
+/// The receiver of goals and cancels.
 struct GoalSink {
   std::function<void(IncomingGoal)> submit;
   /// `newest`: the newest goal that was received before the cancel.
   std::function<void(blocks::GoalId id, blocks::GoalId newest)> cancel;
 };
 
-/// Where the messages of an action are served, and where its goals go.
+/// Where an action's messages are processed, and where its goals go.
 struct GoalWay {
   ActionQueues queues;
   GoalSink sink;
 };
 
-/// What results and feedback need besides what they tell of.
+/// Data for results and feedback, in addition to the values of the core.
 struct FillSite {
   const JointNames& joint_names;  ///< of planned motions
   const ClockPair& clocks;
 };
 
-/// The goal of a message. A block whose messages name joints has an overload of its own in place of toGoal().
+/// The goal of a message. A block whose messages name joints has an overload of its own that replaces
+/// toGoal().
 template <class Message>
 [[nodiscard]] auto readGoal(const Message& message, const Lookups& lookups, const JointNames& /*names*/) {
   return toGoal(message, lookups);
 }
 
-/// What the core tells of the goals of one block. A goal that is not known (any more) is left alone.
+/// Receives the core's reports about the goals of one block. A report about an unknown goal, or one that has
+/// ended, is ignored.
 class GoalListener {
  public:
   virtual ~GoalListener() = default;
@@ -92,7 +95,7 @@ class ActionBridge : public GoalListener {
     Result result;
     fill(result, outcome, FillSite{joint_names_, clocks});
     const bool ran = outcome.ending == blocks::Ending::Done || outcome.ending == blocks::Ending::Aborted;
-    if (ran && isPending(handle)) handle.setAccepted();  // actionlib knows no way past ACTIVE
+    if (ran && isPending(handle)) handle.setAccepted();  // actionlib requires ACTIVE before these ends
     switch (outcome.ending) {
       case blocks::Ending::Done:
         handle.setSucceeded(result, outcome.error_description);
@@ -117,7 +120,7 @@ class ActionBridge : public GoalListener {
 
   struct Open {
     blocks::GoalId id;
-    std::string name;  ///< its id among the clients
+    std::string name;  ///< the client's id of the goal
     Handle handle;
   };
 

@@ -1,11 +1,11 @@
 // The command node of one robot: action servers and publishers around one command core.
 //
-// Everything it offers is relative to the node's namespace, so several robots are several namespaces.
+// All its names are relative to the node's namespace, so that each robot has its own namespace.
 //
-// Threads: stops, pauses, cancels and keep-alives have one of their own, on which nothing waits for anything
-// outside of this process, or for a lock that is held while somebody does. Services that wait have one for
-// each kind of what they wait for. Goals, timers and all the rest are served by who spins the global queue;
-// to be done by one thread.
+// Threads: stops, pauses, cancels and keep-alives have a thread of their own. Nothing on it waits for
+// anything outside this process, or for a lock whose owner does. Services that wait have one thread for each
+// kind of thing that they wait for. Goals, timers and everything else are processed by the spinner of the
+// global queue, which must be one thread.
 #pragma once
 
 #include <array>
@@ -48,19 +48,18 @@ class TableServices;
 
 class CommandNode {
  public:
-  /// `self`: the node's private namespace.
-  /// `seat`: in its cell; nullptr: it is in none.
+  /// `self`: the node's private namespace. `seat`: the robot's seat in its cell; nullptr: it is in no cell.
   CommandNode(const ros::NodeHandle& node, const ros::NodeHandle& self, CommandParameters parameters,
               std::unique_ptr<CellSeat> seat = nullptr);
   ~CommandNode();  ///< stop()
   CommandNode(const CommandNode&) = delete;
   CommandNode& operator=(const CommandNode&) = delete;
 
-  /// Begins the end, and returns at once: the robot is told to stop, behind what the core is at, which may be
-  /// a long planning; then `begun` is called, on the core's thread. From any thread.
+  /// Begins the shutdown, and returns at once. The robot is stopped after the present work of the core, which
+  /// may be a long planning. Then `begun` is called, on the core's thread. Callable from any thread.
   void retire(const std::function<void()>& begun);
-  /// Ends every open goal, closes the connections and joins the core's thread. When it returns the results
-  /// are on their way. Once the end has begun (retire()), which it waits for, it takes at most 0.4 s,
+  /// Ends every open goal, closes the connections and joins the core's thread. When it returns, the results
+  /// are being sent. It waits until the shutdown has begun (retire()). After that it takes at most 0.4 s,
   /// whatever the robot, the master and the clients do.
   void stop();
 
@@ -87,7 +86,7 @@ class CommandNode {
     return *servers_[static_cast<std::size_t>(block)];
   }
   void end(blocks::Block block, blocks::GoalId id, const blocks::Outcome& outcome);
-  /// Of the intake's goals, those that have fallen with a command of the core.
+  /// Ends those goals of the intake that end together with a command of the core.
   void endFallen();
   void submit(blocks::GoalId id, blocks::Goal goal);
   [[nodiscard]] std::array<ServingThread*, 5> threads() {
@@ -100,23 +99,23 @@ class CommandNode {
   Receipts receipts_;
   NumberedQueue spinner_;
   ServingThread stops_;
-  ServingThread interruptions_;  ///< wait for the controller, as the next
-  ServingThread controls_;       ///< of speeds and paths
+  ServingThread interruptions_;  ///< services that wait for the controller, as do those of the next thread
+  ServingThread controls_;       ///< for speeds and paths
   ServingThread disk_;           ///< services that wait for a disk
   ServingThread questions_;      ///< services that wait for the core alone, or calculate
   std::unique_ptr<CellSeat> seat_;
   std::string default_host_;
   int default_port_;
   std::mutex fell_mutex_;
-  std::vector<command::CommandsFell> fell_;  ///< told by the core, not to the intake yet
-  std::unique_ptr<ArmOfNow> arm_;            ///< for services that calculate beside the core
+  std::vector<command::CommandsFell> fell_;  ///< reported by the core; the intake is not notified yet
+  std::unique_ptr<ArmOfNow> arm_;            ///< for services that calculate in parallel with the core
   StatusPublisher publisher_;
   std::unique_ptr<PathPublisher> paths_;
   Diagnostics diagnostics_;
   TfFrames frames_;
   GoalFiles goal_files_;
   GoalIntake intake_;
-  std::vector<std::unique_ptr<GoalListener>> servers_;  ///< by their blocks
+  std::vector<std::unique_ptr<GoalListener>> servers_;  ///< in the order of their blocks
   std::unique_ptr<TableServices> tables_;
   std::unique_ptr<PathServices> path_services_;
   std::unique_ptr<MessageServices> messages_;
@@ -125,7 +124,7 @@ class CommandNode {
   std::unique_ptr<KinematicsServices> kinematics_;
   std::unique_ptr<RobotDataPublisher> robot_data_;
   std::unique_ptr<DynamicsServices> dynamics_;
-  std::unique_ptr<runtime::CommandRuntime> runtime_;  ///< below all that its thread speaks to
+  std::unique_ptr<runtime::CommandRuntime> runtime_;  ///< declared after everything that its thread calls
   ros::SteadyTimer retry_;
   ros::Subscriber keep_alive_;
   ros::ServiceServer finish_;

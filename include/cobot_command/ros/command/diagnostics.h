@@ -16,17 +16,17 @@
 
 namespace cobot_command::ros_adapter {
 
-/// All that the tasks look at.
+/// All data that the tasks use.
 struct DiagnosticsView {
   command::CommandStatus command;
   command::GroupState group;
   link::RobotStatus robot;           ///< of the last status frame
-  bool status_wanted = true;         ///< a status stream is asked for
-  double status_rate = 0;            ///< frames a second, over the last period
-  std::optional<double> status_age;  ///< since the last frame [s]; absent: none yet
+  bool status_wanted = true;         ///< a status stream is requested
+  double status_rate = 0;            ///< frames per second, over the last period
+  std::optional<double> status_age;  ///< since the last frame [s]; nullopt: no frame yet
 };
 
-/// What each task says. The level is STALE for what cannot be known.
+/// The text of each task. The level is STALE if the state cannot be known.
 void describeLink(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
 void describeListenNode(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
 void describeQueue(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
@@ -34,12 +34,11 @@ void describeRobot(diagnostic_updater::DiagnosticStatusWrapper& status, const Di
 void describeStatusStream(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
 void describeExchange(diagnostic_updater::DiagnosticStatusWrapper& status, const DiagnosticsView& view);
 
-/// Publishes once in a period, and within a tenth of a second when something that people look
-/// at has changed. take() is for the core's thread and costs a copy; all else is done on ROS's spinner.
+/// Publishes once per period, and within a tenth of a second after a change of data that people look at.
+/// take() is called on the core's thread and costs a copy; everything else runs on ROS's spinner.
 class Diagnostics {
  public:
-  /// `status_wanted`: a status stream is asked for, so that its absence is worth a warning.
-  /// `period`: [s].
+  /// `status_wanted`: a status stream is requested, so that its absence causes a warning. `period`: [s].
   Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& self, double period, bool status_wanted);
   ~Diagnostics();
   Diagnostics(const Diagnostics&) = delete;
@@ -69,7 +68,7 @@ class Diagnostics {
   std::uint64_t rate_frames_ = 0;
   diagnostic_updater::Updater updater_;
   ros::SteadyTimer periodic_;
-  ros::SteadyTimer soon_;  ///< once, behind a change
+  ros::SteadyTimer soon_;  ///< once, after a change
 };
 
 }  // namespace cobot_command::ros_adapter

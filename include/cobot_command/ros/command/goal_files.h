@@ -1,7 +1,7 @@
-// The files that goals name, read beside ROS's spinner: a file system may hang.
+// Reads the files that goals name on threads of its own, because a file system may hang.
 //
-// A few threads, made with it, read them in the order in which they were asked for; more files than that wait
-// for their turn, up to a bound. What has hung is left behind at the end. Thread-safe.
+// A small number of threads, created with the object, read the files in the order of the requests. More files
+// wait for their turn, up to a limit. At the end, a read that hangs is abandoned. Thread-safe.
 #pragma once
 
 #include <cstddef>
@@ -19,24 +19,24 @@ namespace cobot_command::ros_adapter {
 
 class GoalFiles {
  public:
-  /// What is at a location; called on any thread, also of several at once.
+  /// Reads the file at a location. Called on any thread, also on several at the same time.
   using Read = std::function<FileAnswer(FileKind kind, const std::string& location)>;
 
-  /// So many are read at once: one that hangs does not hold up the next.
+  /// Number of files that are read at the same time: one that hangs does not delay the next one.
   static constexpr int kReaders = 4;
-  /// So many more may wait to be read.
+  /// Number of further files that may wait to be read.
   static constexpr std::size_t kMostWaiting = 1000;
 
-  GoalFiles();  ///< from the disk
+  GoalFiles();  ///< reads from the disk
   explicit GoalFiles(Read read);
   ~GoalFiles();
   GoalFiles(const GoalFiles&) = delete;
   GoalFiles& operator=(const GoalFiles&) = delete;
 
-  /// The file of a goal, or why there is none; nothing as long as it is being read, or waits for that. The
-  /// first call asks for it, and never waits.
+  /// The file of a goal, or why there is none; nullopt: it is being read, or waits to be read. The first call
+  /// requests it. Never waits.
   [[nodiscard]] std::optional<FileAnswer> find(blocks::GoalId id, FileKind kind, const std::string& location);
-  /// The goal needs its file no more. If it still waits, it is not read.
+  /// The goal no longer needs its file. A file that still waits is not read.
   void forget(blocks::GoalId id);
 
  private:

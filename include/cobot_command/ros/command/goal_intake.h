@@ -1,13 +1,13 @@
 // Goals on their way from the action servers to the core.
 //
-// A goal with a target in a tf frame that tf does not know yet waits for it, one with a file until that is
-// read, both for a short time; and the commands and checks that came behind it wait too, so that the order
-// stays. What takes away the commands that wait in the core takes those that wait here, too: that is the
-// core's to tell (CommandsFell), and it begins none of them even when it gets one before this is told. A goal
-// that is cancelled while it waits has come to its end. No clock: the time is handed in.
+// A goal with a target in a tf frame that tf does not know yet waits for the frame. A goal with a file waits
+// until the file is read. Both wait only for a short time. Commands and checks received after such a goal
+// wait too, so that the order is kept. When the queued commands in the core end, those that wait here end
+// too: the core reports this (CommandsFell). The core begins none of them, even one that it gets before the
+// intake is notified. A goal that is cancelled while it waits has ended. No clock: the time is passed in.
 //
-// Threads: submit() and advance() are called by one, cancel() and fall() by any. Messages are made into goals
-// without the lock, so that no cancel waits for that.
+// Threads: submit() and advance() are called on one thread, cancel() and fall() on any. Messages are
+// converted into goals without the lock, so that no cancel waits for that.
 #pragma once
 
 #include <deque>
@@ -24,19 +24,19 @@
 
 namespace cobot_command::ros_adapter {
 
-/// Makes the goal of a message, with what it names as that is known now.
+/// Creates the goal of a message. Frames and files that it names are looked up at the time of the call.
 using GoalReader = std::function<blocks::Goal(const Lookups&)>;
 struct IncomingGoal {
   blocks::GoalId id = 0;
   GoalReader read;
-  /// A cancel that was received already, before the goal was known to whom cancels go, covers it.
+  /// True: the goal is covered by a cancel that was received before the receiver of cancels knew the goal.
   std::function<bool()> is_cancelled;
 };
-/// How long a goal that comes now waits for its frame.
+/// Time that a goal received now may wait for its frame.
 using FramePatience = std::function<Duration()>;
 
-/// How long a goal waits for its file: for a share that hangs is long enough, and for 32 nodes that look for
-/// their package at the same time, on two cores with cold disks, which was seen to take 1.4 s.
+/// Time that a goal may wait for its file. It is long enough for a share that hangs, and for 32 nodes that
+/// search for their package at the same time, on two cores with cold disks: 1.4 s was measured for that.
 inline constexpr Duration kFilePatience = std::chrono::seconds(5);
 
 /// The files of goals; see GoalFiles.
@@ -50,7 +50,7 @@ class GoalIntake {
   struct Core {
     std::function<void(blocks::GoalId, blocks::Goal)> submit;
     std::function<void(blocks::GoalId id, blocks::GoalId newest)> cancel;
-    /// Of a goal that ends before the core heard of it.
+    /// Ends a goal that has not reached the core.
     std::function<void(blocks::Block, blocks::GoalId, blocks::Outcome)> end;
   };
 
@@ -61,9 +61,10 @@ class GoalIntake {
   void submit(IncomingGoal goal, Instant now);
   /// `newest`: the newest goal that was received before the cancel.
   void cancel(blocks::GoalId id, blocks::GoalId newest);
-  /// Ends the commands that wait and came until `newest`; checks wait on. Returns how many have ended.
+  /// Ends the waiting commands that were received up to `newest`; checks continue to wait. Returns the number
+  /// of ended goals.
   int fall(blocks::GoalId newest, const std::string& why);
-  /// Hands on what need not wait any more. To be called every now and then while isWaiting().
+  /// Submits the goals that need not wait any more. Call it regularly while isWaiting().
   void advance(Instant now);
   [[nodiscard]] bool isWaiting() const;
 
@@ -71,7 +72,7 @@ class GoalIntake {
   struct Reading {
     blocks::Goal goal;
     bool has_frames = true;  ///< every frame was found
-    bool has_file = true;    ///< the file was read, or could not be
+    bool has_file = true;    ///< the file was read, or is unreadable
   };
   struct Waiting {
     blocks::Block block;
@@ -79,7 +80,7 @@ class GoalIntake {
     GoalReader read;
     Instant frames_by;
     Instant file_by;
-    bool falls;  ///< with the commands in front of it
+    bool falls;  ///< ends together with the commands before it
   };
 
   struct Ended {
@@ -90,11 +91,11 @@ class GoalIntake {
 
   [[nodiscard]] Reading readNow(blocks::GoalId id, const GoalReader& read) const;
   [[nodiscard]] std::optional<Waiting> front() const;
-  // With the lock.
+  // Call these with the lock.
   [[nodiscard]] std::optional<Ended> place(IncomingGoal& incoming, Reading& reading, Instant now);
   void handOn(blocks::GoalId id, blocks::Goal goal);
   [[nodiscard]] std::optional<Ended> takeCancelled(blocks::GoalId id);
-  // Without it.
+  // Call it without the lock.
   void end(Ended ended);
 
   const FrameLookup frames_;
@@ -104,9 +105,9 @@ class GoalIntake {
   const std::string world_frame_;
   mutable std::mutex mutex_;
   std::deque<Waiting> waiting_;
-  std::optional<blocks::GoalId> incoming_;  ///< that is being read, and waits nowhere yet
+  std::optional<blocks::GoalId> incoming_;  ///< goal that is being read, and is in no queue yet
   bool incoming_is_cancelled_ = false;
-  blocks::GoalId fell_until_ = 0;  ///< the newest that has fallen
+  blocks::GoalId fell_until_ = 0;  ///< the newest goal that has ended with others
   std::string fell_why_;
 };
 

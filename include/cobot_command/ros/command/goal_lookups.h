@@ -1,4 +1,4 @@
-// What a goal message may name that is not in it: frames of tf, files.
+// Data that a goal message may name but does not contain: frames of tf, files.
 #pragma once
 
 #include <functional>
@@ -16,31 +16,31 @@
 
 namespace cobot_command::ros_adapter {
 
-/// Where a tf frame is; or in plain words why that is not known.
+/// Where a tf frame is, or in plain words why this is unknown.
 struct FramePlace {
   std::optional<arm::Pose> in_robot_base;  ///< [m]
   std::string fault;
 };
-/// Finds the frame of a header, at its stamp; zero: the latest. Answers at once.
+/// Finds the frame of a header, at its stamp; stamp zero: the latest transform. Returns at once.
 using FrameLookup = std::function<FramePlace(const std_msgs::Header&)>;
 
-/// What a file holds; or in plain words, with its name, why there is nothing.
+/// The content of a file, or in plain words why there is none, with the file's name.
 using StepsAnswer = Result<std::vector<blocks::PickAndPlaceStep>, std::string>;
 using PointsAnswer = Result<std::vector<path::PathPoint>, std::string>;
-/// The first has the steps of a cycle, the second the points of a path.
+/// Steps: a file with the steps of a cycle. Points: a file with the points of a path.
 enum class FileKind { Steps, Points };
-/// As the kind of the file says.
+/// The alternative depends on the kind of the file.
 using FileAnswer = std::variant<StepsAnswer, PointsAnswer>;
-// They find the file at a location. They answer at once: nothing means that it is still being read.
+// Find the file at a location. They return at once; nullopt: it is still being read.
 using StepsLookup = std::function<std::optional<StepsAnswer>(const std::string& location)>;
 using PointsLookup = std::function<std::optional<PointsAnswer>(const std::string& location)>;
 
-/// What a goal may name that is not in its message.
+/// Access to all data that a goal may name but its message does not contain.
 struct Lookups {
   FrameLookup frames;
   StepsLookup steps;
   PointsLookup points;
-  std::string world_frame = "world";  ///< that poses of paths in WORLD are in
+  std::string world_frame = "world";  ///< reference of the poses of paths in WORLD
 };
 
 }  // namespace cobot_command::ros_adapter

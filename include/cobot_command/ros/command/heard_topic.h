@@ -1,4 +1,4 @@
-// A topic that knows whether anybody listens to it.
+// A topic that stores whether it has subscribers.
 #pragma once
 
 #include <atomic>
@@ -12,8 +12,8 @@
 
 namespace cobot_command::ros_adapter {
 
-/// To ask roscpp, as ros::Publisher does, takes a search through all topics of the node under a lock: some
-/// eighty, and the question comes with every status frame. roscpp tells who comes and goes on its spinner.
+/// ros::Publisher asks roscpp, which searches all topics of the node under a lock: about eighty topics, for
+/// every status frame. Here roscpp reports each new and each lost subscriber, on its spinner.
 class HeardTopic {
  public:
   HeardTopic() = default;

@@ -1,7 +1,7 @@
-// What the command layer tells everyone: joint_states, tool_pose, robot_status, digital_io, command_status,
-// group_state, active_frames, frames, status_frames and tf.
+// The published state of the command layer: joint_states, tool_pose, robot_status, digital_io,
+// command_status, group_state, active_frames, frames, status_frames and tf.
 //
-// Called on the core's thread only.
+// Called only on the core's thread.
 #pragma once
 
 #include <string>
@@ -19,21 +19,22 @@ namespace cobot_command::ros_adapter {
 
 class StatusPublisher {
  public:
-  /// Topics are relative to `node`. `prefix` stands in front of every tf frame; the joint names have it
-  /// already.
+  /// Topics are relative to `node`. `prefix` precedes the name of every tf frame; the joint names already
+  /// include it.
   StatusPublisher(OwnHandle node, JointNames joint_names, std::string prefix);
 
-  /// Positions, tool and robot status, as far as the controller streams them; its digital inputs and outputs
-  /// where they have changed; and the active frames in tf again.
+  /// Publishes positions, tool and robot status, as far as the controller streams them; its digital inputs
+  /// and outputs if they have changed; and the active frames in tf again.
   void publish(const command::RobotStatusReceived& received);
-  /// Latched; when the status stream has ended, robot_status and digital_io become "unknown" as well.
+  /// Latched. When the status stream has ended, robot_status and digital_io become "unknown" too.
   void publish(const command::CommandStatus& status, const ClockPair& clocks);
   /// Latched, and at once in tf, as far as they are known.
   void publish(const command::GroupState& state);
   void publish(const robot::ActiveFrames& frames);
-  /// The frames of each port on a topic of its own: the stream would drown the commands.
+  /// The frames of each port have a topic of their own, because the stream has many more frames than the
+  /// commands.
   void publish(const command::FrameTraced& trace, const ClockPair& clocks);
-  /// Somebody listens to the frames of that port.
+  /// True: the topic of that port has a subscriber.
   [[nodiscard]] bool isHeard(link::Channel channel) const;
 
  private:
@@ -55,11 +56,11 @@ class StatusPublisher {
   HeardTopic frames_;
   HeardTopic status_frames_;
   HeardTopic tf_;
-  cobot_command::RobotStatus robot_status_told_;  ///< the last one
-  link::DigitalLevels inputs_told_;               ///< the last ones
+  cobot_command::RobotStatus robot_status_told_;  ///< the last published one
+  link::DigitalLevels inputs_told_;               ///< the last published ones
   link::DigitalLevels outputs_told_;
   robot::ActiveFrames active_frames_;
-  ros::Time frames_sent_;  ///< the stamp of the last ones in tf
+  ros::Time frames_sent_;  ///< stamp of the last active frames in tf
   bool streaming_ = false;
 };
 

@@ -1,4 +1,4 @@
-// The frames of tf, seen from the base of one robot.
+// The frames of tf, relative to the base of one robot.
 #pragma once
 
 #include <memory>
@@ -14,24 +14,25 @@
 
 namespace cobot_command::ros_adapter {
 
-/// Listens to tf on a thread of its own, as tf2 does; to begin with that takes the master, so that this is
-/// done beside whoever asks, too. Its functions are for one thread, but for whereNow().
+/// Listens to tf on a thread of its own, as tf2 does. To begin listening it needs the master; this
+/// does not block the caller either. All functions except whereNow() are for one thread.
 ///
-/// /tf is one topic for everybody: where N robots listen to it, each gets the frames of all, N times N
-/// messages. Those that use no frames but their own need not listen.
+/// /tf is one topic for all nodes: if N robots listen to it, each receives the frames of all, which makes N
+/// times N messages. Robots that use only their own frames need not listen.
 class TfFrames {
  public:
-  /// `from_start`: listen at once; else from the first find() on, which then knows nothing of earlier times.
+  /// `from_start`: listens at once; otherwise from the first find() on, which then has no earlier transforms.
   TfFrames(std::string robot_base, bool from_start);
   ~TfFrames();
   TfFrames(const TfFrames&) = delete;
   TfFrames& operator=(const TfFrames&) = delete;
 
-  /// As a FrameLookup does.
+  /// See FrameLookup.
   [[nodiscard]] FramePlace find(const std_msgs::Header& header);
-  /// As a FrameFinder does, from any thread: tf2's buffer has a lock of its own. Knows nothing before find().
+  /// See FrameFinder. Callable from any thread, because the buffer of tf2 has its own lock. Finds nothing
+  /// before find().
   [[nodiscard]] std::optional<arm::Pose> whereNow(const std::string& frame) const;
-  /// How long a frame that is not known is worth waiting for.
+  /// Time for which it is useful to wait for an unknown frame.
   [[nodiscard]] Duration patience() const;
 
  private:

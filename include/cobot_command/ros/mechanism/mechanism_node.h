@@ -1,7 +1,7 @@
-// A mechanism's seat in its cell: its agent, the topics by which it and the supervisor hear of each other,
-// and those by which a PLC tells where it is and hears where it may move.
+// The seat of a mechanism in its cell: its agent, the topics between the agent and the supervisor, and the
+// topics by which a PLC reports the position of the mechanism and receives its permitted position.
 //
-// To be spun by one thread.
+// It must be spun by one thread.
 #pragma once
 
 #include <memory>
@@ -27,20 +27,21 @@ namespace cobot_command::ros_adapter {
 
 struct MechanismParameters {
   std::string cell = "/cell";  ///< namespace of the supervisor
-  std::string mechanism;       ///< its name in the cell
-  std::string artifact;        ///< absolute path of what tm_cell build has made of the cell
-  bool running = false;        ///< it runs from the start
+  std::string mechanism;       ///< the mechanism's name in the cell
+  /// Absolute path of the file written by `tm_cell build`.
+  std::string artifact;
+  bool running = false;  ///< the mechanism runs from the start
   std::vector<std::string> warnings;
 };
 
-/// A row for each; `parameters` outlives them.
+/// A row for each parameter; `parameters` must outlive the table.
 [[nodiscard]] SettingTable settingsTable(MechanismParameters& parameters);
 [[nodiscard]] Result<MechanismParameters, ParameterError> readMechanismParameters(
     const GivenParameters& given);
 
 class MechanismNode {
  public:
-  /// A fault is a sentence.
+  /// An error is a sentence.
   [[nodiscard]] static Result<std::unique_ptr<MechanismNode>, std::string> of(
       const ros::NodeHandle& node, const MechanismParameters& parameters);
 
@@ -53,12 +54,12 @@ class MechanismNode {
 
   std::unique_ptr<cell::MechanismAgent> agent_;
   std::optional<double> position_;
-  std::optional<double> target_;  ///< that was told last
+  std::optional<double> target_;  ///< the last published one
   ros::Publisher reports_;
   ros::Publisher targets_;
   ros::Subscriber states_;
   ros::Subscriber positions_;
-  ros::Subscriber stops_;  ///< goals of the supervisor's stops
+  ros::Subscriber stops_;  ///< stop goals from the supervisor
   ros::ServiceServer run_;
   ros::SteadyTimer timer_;
 };

@@ -1,5 +1,5 @@
-// Values of the core <-> parts of messages: times, poses, joints. Units change only where a message's comment
-// says so. Whole messages: src/ros/actions, status_messages.h and others of their name.
+// Conversions between values of the core and parts of messages: times, poses, joints. Units change only if a
+// message's comment states it. Whole messages: src/ros/actions, status_messages.h and others of that name.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace cobot_command::ros_adapter {
 
-/// Turns the core's instants into ROS time. They have different clocks, so both are asked for now.
+/// Converts the core's instants into ROS time. The clocks differ, so both present times are stored.
 struct ClockPair {
   ros::Time ros_now;
   Instant core_now;
@@ -26,7 +26,7 @@ struct ClockPair {
 };
 
 [[nodiscard]] ros::Duration toRos(Duration duration);
-/// Zero when absent.
+/// nullopt: zero.
 [[nodiscard]] ros::Duration toRos(const std::optional<Duration>& duration);
 
 [[nodiscard]] std::array<double, 6> toSix(const cobot_command::Transformation& message);
@@ -35,13 +35,13 @@ struct ClockPair {
 [[nodiscard]] geometry_msgs::Transform toTransform(const arm::Pose& pose);
 [[nodiscard]] geometry_msgs::Pose toPoseMessage(const arm::Pose& pose);
 [[nodiscard]] arm::Pose toPose(const geometry_msgs::Transform& message);
-/// A quaternion of length zero, as a new message has it, is no turn.
+/// A quaternion of length zero, as in a new message, means no rotation.
 [[nodiscard]] arm::Pose toPose(const geometry_msgs::Pose& message);
 
 using JointNames = std::array<std::string, arm::kJointCount>;
-/// The six joints as the vendor's driver names them, with `prefix` in front.
+/// The six joints with the names of the vendor's driver, after `prefix`.
 [[nodiscard]] JointNames jointNames(const std::string& prefix);
-/// Positions [rad], velocities [rad/s] and torques [Nm]; what is absent stays empty.
+/// Positions [rad], velocities [rad/s] and torques [Nm]; missing values stay empty.
 [[nodiscard]] sensor_msgs::JointState jointState(const JointNames& names, const arm::JointVector& positions,
                                                  const arm::JointVector* velocities,
                                                  const arm::JointVector* torques, const ros::Time& stamp);

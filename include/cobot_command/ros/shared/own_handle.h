@@ -1,8 +1,8 @@
-// A node handle for what a node itself publishes, serves and listens to.
+// A node handle for the topics and services of a node itself.
 //
-// Two things of a node can come to one name: somebody has renamed one of them. roscpp then throws where both
-// are subscriptions, and else goes on without a word to the caller: a topic that cannot be published on,
-// which is an assertion as soon as it is tried, a service that nobody answers, a topic of two types.
+// Two of them can get the same name if one is remapped. roscpp throws if both are subscriptions. Otherwise it
+// continues without a message to the caller. The result is a topic on which publishing is a failed assertion,
+// a service that is never called, or a topic with two types.
 #pragma once
 
 #include <cstdint>
@@ -16,34 +16,35 @@
 
 namespace cobot_command::ros_adapter {
 
-/// Another thing of this node has the name already.
+/// Another topic or service of this node already has the name.
 class NameTaken : public ros::Exception {
  public:
   using ros::Exception::Exception;
 };
 
-/// Throws NameTaken where roscpp cannot do as it is asked. A node that is shut down meanwhile gets nothing,
-/// as of roscpp. From any thread.
+/// Throws NameTaken if roscpp cannot do what is requested. During a shutdown the returned handle is empty, as
+/// with roscpp. Callable from any thread.
 class OwnHandle : public ros::NodeHandle {
  public:
   using ros::NodeHandle::NodeHandle;
   OwnHandle(const ros::NodeHandle& node) : ros::NodeHandle(node) {}  // NOLINT(google-explicit-constructor)
 
-  /// For what a library publishes and listens to, and does not tell.
+  /// For topics that a library publishes or subscribes to without this handle.
   void requireType(const std::string& name, const std::string& type) const;
 
   template <class Message, class... Rest>
-  ros::Publisher advertise(const std::string& name, Rest&&... rest) {
-    auto publisher = ros::NodeHandle::advertise<Message>(name, std::forward<Rest>(rest)...);
+  ros::Publisher advertise(const std::string& name, std::uint32_t queue_size, Rest&&... rest) {
+    auto publisher = ros::NodeHandle::advertise<Message>(name, queue_size, std::forward<Rest>(rest)...);
     requireHad(static_cast<bool>(publisher), "published on", name);
     requireType(name, ros::message_traits::datatype<Message>());
     return publisher;
   }
 
   template <class Message, class... Rest>
-  ros::Subscriber subscribe(const std::string& name, Rest&&... rest) {
-    return subscribed<Message>(
-        name, [&] { return ros::NodeHandle::subscribe<Message>(name, std::forward<Rest>(rest)...); });
+  ros::Subscriber subscribe(const std::string& name, std::uint32_t queue_size, Rest&&... rest) {
+    return subscribed<Message>(name, [&] {
+      return ros::NodeHandle::subscribe<Message>(name, queue_size, std::forward<Rest>(rest)...);
+    });
   }
   template <class Taken, class Owner>
   ros::Subscriber subscribe(const std::string& name, std::uint32_t queue_size, void (Owner::*take)(Taken),
@@ -65,9 +66,9 @@ class OwnHandle : public ros::NodeHandle {
     ros::Subscriber subscriber;
     try {
       subscriber = subscribe();
-    } catch (const ros::ConflictingSubscriptionException&) {  // it tells the types, and not the name
+    } catch (const ros::ConflictingSubscriptionException&) {  // it contains the types, but not the name
     }
-    requireHad(static_cast<bool>(subscriber), "listened to", name);
+    requireHad(static_cast<bool>(subscriber), "subscribed to", name);
     noteHeard(name, ros::message_traits::datatype<Message>());
     return subscriber;
   }

@@ -1,4 +1,4 @@
-// Something to be done on the thread that serves a callback queue.
+// Work for the thread that serves a callback queue.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace cobot_command::ros_adapter {
 
-/// By which removeByID() takes back what was posted for `owner`, which has to do so before it is gone.
+/// Id for removeByID(), which removes the work posted for `owner`. The owner must call it before it is
+/// destroyed.
 [[nodiscard]] inline std::uint64_t ownerOf(const void* owner) {
   return reinterpret_cast<std::uintptr_t>(owner);
 }

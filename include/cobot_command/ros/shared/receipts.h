@@ -1,9 +1,8 @@
-// The order in which a node received its messages, whatever queue and thread their callbacks wait in.
+// The order in which a node received its messages, independent of the queues and threads of their callbacks.
 //
 // roscpp reads all sockets on one thread, and puts the callback of each message into the queue of its
-// subscriber at once; which callback runs first is another matter. Here each callback gets a number when it
-// is put into its queue, so that a goal that was received before a stop is known as that, though its callback
-// runs later.
+// subscriber at once. The callbacks may run in another order. Here each callback gets a number when it is put
+// into its queue. So a goal that was received before a stop is recognized, although its callback runs later.
 #pragma once
 
 #include <atomic>
@@ -13,10 +12,10 @@
 
 namespace cobot_command::ros_adapter {
 
-/// Counts up from 1; 0: nothing was received yet.
+/// Increases from 1; 0: nothing was received yet.
 using Receipt = std::uint64_t;
 
-/// Counts for all queues of a node. Thread-safe.
+/// The counter for all queues of a node. Thread-safe.
 class Receipts {
  public:
   [[nodiscard]] Receipt next() { return ++last_; }
@@ -26,13 +25,13 @@ class Receipts {
   std::atomic<Receipt> last_{0};
 };
 
-/// Of the callback that this thread is in. Precondition: it came through a NumberedQueue.
+/// Receipt of the callback that this thread is running. Precondition: the callback was in a NumberedQueue.
 [[nodiscard]] Receipt currentReceipt();
 
-/// Numbers what goes into a queue. Thread-safe, as the queue is.
+/// Numbers the callbacks that are put into a queue. Thread-safe, like the queue.
 class NumberedQueue : public ros::CallbackQueueInterface {
  public:
-  /// Both have to live longer than it, and `receipts` longer than the callbacks.
+  /// Both must outlive this object, and `receipts` must outlive the callbacks.
   NumberedQueue(ros::CallbackQueueInterface& queue, Receipts& receipts)
       : queue_(queue), receipts_(receipts) {}
 

@@ -1,5 +1,5 @@
-// What both nodes are told of the robot: its model and the prefix of its names, held against the
-// robot_description that RViz and tf use.
+// The parameters about the robot that both nodes have, the model and the prefix of names. They are checked
+// against the robot_description that RViz and tf use.
 #pragma once
 
 #include <optional>
@@ -16,14 +16,14 @@ namespace cobot_command::ros_adapter {
 [[nodiscard]] Setting prefixRow(std::string& prefix);
 
 struct RobotParameters {
-  std::string robot_model;  ///< empty: of the robot_description
-  std::string prefix;       ///< in front of joint and frame names
+  std::string robot_model;  ///< empty: from the robot_description
+  std::string prefix;       ///< precedes joint and frame names
 };
 
-/// The model that is named, else that of the description; nothing when there is neither. A description of
-/// another model of the family is a fault: what RViz shows would not be what is planned. One of the same
-/// model with other lengths or names is worth a warning; one of something else, a whole cell for instance, is
-/// nobody's fault.
+/// The named model, otherwise that of the description; nullopt: there is neither. A description of another
+/// model of the family is an error, because RViz would not show what is planned. A description of the same
+/// model with other lengths or names causes a warning. A description of something else, for example of a
+/// whole cell, is not an error.
 [[nodiscard]] Result<std::optional<arm::ArmModel>, SettingFault> armOf(
     const RobotParameters& robot, const std::optional<Given>& robot_description,
     std::vector<std::string>& warnings);

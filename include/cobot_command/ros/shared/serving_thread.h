@@ -1,5 +1,5 @@
-// A callback queue that a thread of its own serves, for what must not wait for other callbacks, or may keep
-// others waiting.
+// A callback queue with a thread of its own, for callbacks that must not wait for others, or that may delay
+// others.
 #pragma once
 
 #include <thread>
@@ -10,28 +10,28 @@
 
 namespace cobot_command::ros_adapter {
 
-/// roscpp's AsyncSpinner wakes up ten times a second, also when nothing comes; this one sleeps until
-/// something does.
+/// The AsyncSpinner of roscpp wakes up ten times per second, even without messages; this thread sleeps until
+/// one arrives.
 class ServingThread {
  public:
-  /// `receipts`: of the node; have to live longer.
+  /// `receipts`: of the node; must outlive this object.
   explicit ServingThread(Receipts& receipts) : numbered_(queue_, receipts) {}
   ~ServingThread();  ///< stop()
   ServingThread(const ServingThread&) = delete;
   ServingThread& operator=(const ServingThread&) = delete;
 
-  /// For the node handles whose callbacks are to run here. They have to be gone before this is.
+  /// For the node handles whose callbacks must run here. They must be destroyed before this object.
   [[nodiscard]] NumberedQueue& queue() { return numbered_; }
 
-  /// From here on callbacks run; those that came before it first.
+  /// From now on callbacks run, beginning with those that arrived before.
   void start();
 
-  /// Waits until every callback has run that is in the queue by now; after stop() there is none. Not from one
-  /// of its callbacks.
+  /// Waits until all callbacks that are in the queue now have run; after stop() there are none. Must not be
+  /// called by one of its callbacks.
   void catchUp();
 
-  /// Waits for the callback that runs. No callback runs any more when it returns; what comes is dropped. Not
-  /// from one of its callbacks.
+  /// Waits for the running callback. After it returns no callback runs, and new ones are dropped. Must not be
+  /// called by one of its callbacks.
   void stop();
 
  private:

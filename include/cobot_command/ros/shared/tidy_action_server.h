@@ -1,21 +1,24 @@
-// actionlib's server, where it loses goals, keeps them, or lives by the clocks of its clients.
+// An action server with the interface of actionlib's server, without those of its properties that lose goals,
+// keep goals, or depend on the clocks of clients.
 //
-// - Goals and cancels are served in queues of their own, so that no cancel waits for goals. A cancel counts
-//   by receipt: a goal that was received before it is cancelled, though its callback runs later.
-// - A goal that has ended is known for some seconds, by its status alone: what it asked for is not kept.
-//   These seconds are those of a steady clock, as ROS's may stand still.
-// - The status is published with a queue of one: each message has all that the one before had.
-// - Its queues have 50 places: of a burst of goals the first, and of their results too, would be lost.
-// - A cancel of a goal that it does not know, as of one that ended seconds ago, is kept until five seconds
-//   after the stamp of the cancel: for ever when the stamp is zero, as that of every usual cancel. The list
-//   that each status message carries would never end to grow.
-// - A cancel with a stamp in the future, from a machine whose clock is ahead, would cancel on arrival all
-//   goals until then. Here it counts until it came.
-// - A goal that was cancelled before it came ends without a word why.
-// - It tells the status of its goals five times a second, whether anybody listens or not: with all actions of
-//   a node that wakes three threads 75 times a second.
+// - Goals and cancels have queues of their own, so that no cancel waits for goals. A cancel counts by
+//   receipt: a goal received before it is cancelled, although its callback runs later.
+// - A goal that has ended stays in the status list for some seconds; its content is not kept. These seconds
+//   are those of a steady clock, because ROS time may stop.
+// - The status is published with a queue of one, because each message includes the previous one.
+// - The queues of actionlib have 50 places: in a burst of goals the first goals, and the first results too,
+//   would be lost.
+// - actionlib keeps a cancel of an unknown goal, for example of one that ended seconds ago, until five
+//   seconds after the stamp of the cancel: without end if the stamp is zero, as in every usual cancel. The
+//   list in each status message would grow without limit.
+// - With actionlib a cancel with a stamp in the future, from a machine whose clock is ahead, would cancel all
+//   goals received until that time. Here it counts until it was received.
+// - With actionlib a goal that is cancelled before it is received ends without a reason.
+// - actionlib publishes the status of goals five times per second for each action of a node, even without
+//   subscribers, and wakes three threads each time.
 //
-// Threads: as actionlib's server. Each of its two queues is served by one thread, which may be the same.
+// Threads: as in actionlib's server. Each of its two queues is served by one thread, which may be the same
+// for both.
 #pragma once
 
 #include <algorithm>
@@ -45,7 +48,7 @@
 
 namespace cobot_command::ros_adapter {
 
-// The words of a result; for one of another package's action both are specialized.
+// Texts of a result; both functions are specialized for an action of another package.
 template <class Result>
 [[nodiscard]] bool saysNothing(const Result& result) {
   return result.error_description.empty();
@@ -56,11 +59,11 @@ void say(Result& result, const char* description, const char* remedy) {
   result.remedy = remedy;
 }
 
-/// Where the messages of an action are served. Both have to live longer than its server.
+/// The queues for the messages of an action. Both must outlive its server.
 struct ActionQueues {
   NumberedQueue& goals;
   NumberedQueue& cancels;
-  ServingThread* of_cancels = nullptr;  ///< serves `cancels`; nullptr: whoever serves the goals does
+  ServingThread* of_cancels = nullptr;  ///< serves `cancels`; nullptr: the thread of the goals does
 };
 
 template <class Action>
@@ -68,7 +71,7 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
   using Base = actionlib::ActionServerBase<Action>;
 
  public:
-  /// Serves `name`, relative to `node`, from start() on. Each callback runs within one of its queue.
+  /// Serves `name`, relative to `node`, from start() on. Each callback runs within a callback of its queue.
   template <class OnGoal, class OnCancel>
   TidyActionServer(const ros::NodeHandle& node, const std::string& name, const ActionQueues& queues,
                    OnGoal on_goal, OnCancel on_cancel)
@@ -87,8 +90,9 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
     queues_.goals.removeByID(ownerOf(this));
   }
 
-  /// Of the goal whose callback this thread is in: a cancel that was received after it covers it. To be asked
-  /// when `on_cancel` already finds that goal; no cancel is lost then, and one may be found by both.
+  /// For the goal whose callback this thread is running. True: a cancel received after the goal covers it.
+  /// Call it when `on_cancel` can already find the goal: then no cancel is lost, and one may be found by
+  /// both.
   [[nodiscard]] bool isCancelled() {
     const std::lock_guard<std::mutex> lock(cancels_mutex_);
     return std::any_of(kept_cancels_.begin(), kept_cancels_.end(), [this](const KeptCancel& cancel) {
@@ -98,24 +102,24 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
 
  private:
   static constexpr double kTidyPeriod = 1.0;  // [s]
-  // Of goals that come, or messages that go, at once.
+  // Number of goals that arrive, or of messages that are sent, at the same time.
   static constexpr int kQueueSize = 1000;
   using GoalEvent = ros::MessageEvent<const typename Base::ActionGoal>;
 
   static constexpr const char* kPublishing = "actionlib_server_pub_queue_size";
   static constexpr const char* kSubscribing = "actionlib_server_sub_queue_size";
-  // Those of actionlib.
+  // Values of actionlib.
   static constexpr double kUsualFrequency = 5.0;  // [Hz]
   static constexpr double kUsualTimeout = 5.0;    // [s]
 
-  /// What somebody has set already stays.
+  /// A value that is already set stays.
   static void widenQueues(const ros::NodeHandle& action) {
     for (const char* name : {kSubscribing, kPublishing}) {
       if (!action.hasParam(name)) action.setParam(name, kQueueSize);
     }
   }
 
-  /// Topics and parameters as those of actionlib's own server.
+  /// Topics and parameters are those of actionlib's own server.
   void initialize() override {
     const std::uint32_t sent = queueSize(kPublishing);
     const std::uint32_t received = queueSize(kSubscribing);
@@ -136,17 +140,17 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
         "cancel", received, [this](const actionlib_msgs::GoalID::ConstPtr& goals) { take(goals); });
   }
 
-  /// A cancel that was received before the goal may not be served yet.
+  /// A cancel that was received before the goal may not have been processed yet.
   void take(const GoalEvent& goal) {
     if (queues_.of_cancels != nullptr) queues_.of_cancels->catchUp();
     incoming_ = goal.getMessage()->goal_id;
-    // It has the time at which it was received, as far as cancels are concerned.
+    // For cancels, the goal gets the time at which it was received.
     if (incoming_.stamp.isZero()) incoming_.stamp = goal.getReceiptTime();
     this->goalCallback(goal.getMessage());
     tidying_.start();
   }
 
-  /// Kept before the goals that are known are looked at: whichever is not known yet finds it.
+  /// Stored before the known goals are checked: a goal that is not known yet will find it.
   void take(const actionlib_msgs::GoalID::ConstPtr& goals) {
     {
       const std::lock_guard<std::mutex> lock(cancels_mutex_);
@@ -158,7 +162,7 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
         queues_.goals, [this] { tidying_.start(); }, this);  // timers belong to the thread of the goals
   }
 
-  /// As actionlib says it.
+  /// The rule of actionlib.
   [[nodiscard]] static bool covers(const actionlib_msgs::GoalID& cancelled,
                                    const actionlib_msgs::GoalID& goal) {
     if (cancelled.id.empty() && cancelled.stamp.isZero()) return true;
@@ -175,7 +179,7 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
     double frequency = kUsualFrequency;
     std::string name;
     if (action_.getParam("status_frequency", frequency)) {
-      ROS_WARN_NAMED("actionlib", "status_frequency is deprecated: set actionlib_status_frequency");
+      ROS_WARN_NAMED("actionlib", "status_frequency is deprecated: use actionlib_status_frequency");
     } else if (action_.searchParam("actionlib_status_frequency", name)) {
       frequency = action_.param(name, kUsualFrequency);
     }
@@ -195,7 +199,7 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
     publishStatus();
   }
 
-  /// With the lock. What a goal has asked for may be megabytes.
+  /// With the lock. The content of a goal may have megabytes.
   void forgetContent(const std::string& id) {
     for (auto& tracker : this->status_list_) {
       if (tracker.status_.goal_id.id != id || !tracker.goal_) continue;
@@ -227,7 +231,7 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
     status_.publish(message);
   }
 
-  /// Who begins to listen gets the last status that was told, which may be old, and then one of now.
+  /// A new subscriber gets the last published status, which may be old, and then the present one.
   void adjustTelling() {
     if (status_.getNumSubscribers() == 0) {
       telling_.stop();
@@ -237,13 +241,13 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
     telling_.start();
   }
 
-  /// Nobody was told of that goal. actionlib has words of its own only for the stamp.
+  /// That goal was not reported to the core. actionlib has its own text only for the stamp.
   static void explain(typename Base::ActionResult& message) {
     const bool by_stamp = !message.status.text.empty();
     say(message.result,
-        by_stamp ? "cancelled before it came: a cancel took away all goals until its stamp, and that of this "
-                   "goal is not later"
-                 : "cancelled by its id before it came",
+        by_stamp ? "cancelled before the goal was received: an earlier cancel covers all goals up to its "
+                   "stamp, and the stamp of this goal is not later"
+                 : "cancelled by its id before the goal was received",
         by_stamp ? "Send it again as a new goal; compare the clocks of the clients"
                  : "Send it again as a new goal");
   }
@@ -253,15 +257,14 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
     forgetEnded();
     forgetTheFuture();  // a clock may have been set back
     const bool keeps_cancels = forgetCancels();
-    // Whoever comes next shall not hear of goals that are long gone.
+    // A new subscriber must not receive goals that ended long ago.
     if (status_.getNumSubscribers() == 0 && (goals_told_ || !this->status_list_.empty())) publishStatus();
-    // Until the next goal or cancel: fifteen servers that look after nothing would wake the node all the
-    // time.
+    // Until the next goal or cancel: otherwise all servers without work would wake the node all the time.
     const bool is_tidy = this->status_list_.empty() && !goals_told_ && !keeps_cancels;
     if (is_tidy && this->last_cancel_.isZero()) tidying_.stop();
   }
 
-  /// Goals that have ended, and cancels whose goal never came, for that long.
+  /// Removes goals that ended that time ago, and cancels whose goal was never received.
   void forgetEnded() {
     const ros::SteadyTime now = ros::SteadyTime::now();
     const double timeout = this->status_list_timeout_.toSec();
@@ -278,7 +281,8 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
     ended_.swap(ended);
   }
 
-  /// The callbacks of all goals that were received before this one have run. Whether any are left.
+  /// Removes cancels that no goal can need: the callbacks of all goals received before this one have run.
+  /// True: some cancels are left.
   bool forgetCancels() {
     const std::lock_guard<std::mutex> lock(cancels_mutex_);
     const Receipt now = currentReceipt();
@@ -288,13 +292,13 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
     return !kept_cancels_.empty();
   }
 
-  /// Cancels count until now, whatever their stamps say.
+  /// Cancels count until now, whatever their stamps.
   void forgetTheFuture() {
     const boost::recursive_mutex::scoped_lock lock(this->lock_);
     this->last_cancel_ = std::min(this->last_cancel_, ros::Time::now());
   }
 
-  /// As long as goals may wait that were received before it.
+  /// Kept as long as goals received before it may still wait.
   struct KeptCancel {
     Receipt receipt;
     actionlib_msgs::GoalID goals;
@@ -306,15 +310,15 @@ class TidyActionServer : public actionlib::ActionServerBase<Action> {
   actionlib_msgs::GoalID incoming_;  ///< the goal whose callback runs
   std::mutex cancels_mutex_;
   std::vector<KeptCancel> kept_cancels_;
-  std::map<std::string, ros::SteadyTime> ended_;  ///< since when, of goals that are told still
+  std::map<std::string, ros::SteadyTime> ended_;  ///< end of goals that are still in the status list
   ros::Publisher results_;
   ros::Publisher feedback_;
   ros::Publisher status_;
   ros::Subscriber goals_;
   ros::Subscriber cancels_;
-  ros::SteadyTimer telling_;  ///< of the status; runs while somebody listens
-  bool goals_told_ = false;   ///< the last status that was told had some
-  ros::SteadyTimer tidying_;  ///< runs while there is anything to tidy
+  ros::SteadyTimer telling_;  ///< of the status; runs while there are subscribers
+  bool goals_told_ = false;   ///< the last published status had goals
+  ros::SteadyTimer tidying_;  ///< runs while there is anything to remove
 };
 
 }  // namespace cobot_command::ros_adapter

@@ -1,6 +1,7 @@
-// The simulated controller as a ROS node: its true state on topics, the operator's side as services.
+// The simulated controller as a ROS node: topics with its true state, and services for the operator's
+// actions.
 //
-// Clients command it over TCP like a real one; ROS is only for watching and for the operator.
+// Clients command it over TCP like a real controller. ROS is only for observation and for the operator.
 #pragma once
 
 #include <optional>
@@ -23,7 +24,7 @@ class SimulatedControllerNode {
  public:
   /// Topics, services and parameters are relative to `self`, the node's private namespace.
   SimulatedControllerNode(const ros::NodeHandle& self, SimulatorParameters parameters);
-  ~SimulatedControllerNode();  ///< takes the ports back that start() has told
+  ~SimulatedControllerNode();  ///< removes the ports that start() has published
   SimulatedControllerNode(const SimulatedControllerNode&) = delete;
   SimulatedControllerNode& operator=(const SimulatedControllerNode&) = delete;
 
@@ -32,7 +33,7 @@ class SimulatedControllerNode {
 
  private:
   void offerServices();
-  /// A service that does what `to_action` makes of its request.
+  /// A service that carries out the action that `to_action` creates from its request.
   template <class Service, class ToAction>
   void offer(const std::string& name, ToAction to_action);
   /// A service of std_srvs/Trigger.
@@ -41,9 +42,9 @@ class SimulatedControllerNode {
   /// A service of std_srvs/SetBool.
   template <class Action>
   void offerSwitch(const std::string& name);
-  /// Returns when it is done, so that who called sees its effect.
+  /// Returns when the action is done, so that its effect is visible to the caller.
   simulator::OperatorReply operate(const simulator::OperatorAction& action);
-  /// A topic of the true state, which is told only while somebody listens to one of them.
+  /// A topic of the true state, which is published only while one of these topics has a subscriber.
   template <class Message>
   ros::Publisher topic(const std::string& name);
   void publish(const simulator::RobotState& state);  // on the simulator's thread

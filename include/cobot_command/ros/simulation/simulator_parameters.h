@@ -1,5 +1,5 @@
-// The private parameters of the simulated controller's node: the settings that tm_simulator has, and what is
-// ROS's alone.
+// The private parameters of the simulated controller's node: the settings of tm_simulator, and those that
+// only ROS needs.
 #pragma once
 
 #include <string>
@@ -15,13 +15,13 @@
 
 namespace cobot_command::ros_adapter {
 
-/// What is told without the model being known yet.
+/// The parameters that are read before the model is known.
 struct SimulatorNodeSetup {
   runtime::SimulatorSetup simulator;
   std::string prefix;
   double publish_rate = 50.0;  ///< [Hz]
 };
-/// A row for each parameter, in the order of the page; `setup` outlives it.
+/// A row for each parameter, in the order of the page; `setup` must outlive the table.
 [[nodiscard]] SettingTable settingsTable(SimulatorNodeSetup& setup);
 
 struct SimulatorParameters : SimulatorNodeSetup {
@@ -29,12 +29,12 @@ struct SimulatorParameters : SimulatorNodeSetup {
       : SimulatorNodeSetup(std::move(setup)), arm(std::move(model)) {}
 
   arm::ArmModel arm;
-  std::vector<std::string> warnings;  ///< of what can be used, but was hardly meant so
+  std::vector<std::string> warnings;  ///< about values that are valid, but probably a mistake
 };
 
 [[nodiscard]] Result<SimulatorParameters, ParameterError> readSimulatorParameters(
     const GivenParameters& given);
-/// The same from the parameter server, with its warnings in the log.
+/// The same from the parameter server; its warnings are logged.
 [[nodiscard]] Result<SimulatorParameters, ParameterError> readSimulatorParameters(
     const ros::NodeHandle& node, const ros::NodeHandle& self);
 

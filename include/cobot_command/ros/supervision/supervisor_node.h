@@ -1,7 +1,8 @@
-// The node that supervises a cell: its robots' reports in, how things stand out, beside it what people ask
-// for.
+// The node that supervises a cell. It receives the reports of the robots, publishes the state of the cell,
+// and offers services and actions for operators.
 //
-// Everything it offers is relative to the node's namespace, that of the cell. To be spun by one thread.
+// All its names are relative to the node's namespace, which is that of the cell. It must be spun by one
+// thread.
 #pragma once
 
 #include <memory>
@@ -48,22 +49,22 @@ class SupervisorNode {
   void takeState(const StateEvent& event);
   void takeDistances(const cobot_command::CellDistances& message);
   [[nodiscard]] bool isMonitorLost(Instant now) const;
-  /// What there is to be said of the monitor; empty: nothing.
+  /// What is to be reported about the monitor; empty: nothing.
   [[nodiscard]] std::string diagnosisOfMonitor(Instant now) const;
-  /// Decides what is due, stops whom it has to, and tells how things stand, if that is new or due.
+  /// Makes the due decisions, stops robots if necessary, and publishes the state, if it is new or due.
   void settle(Instant now);
   void tell(const cell::CellStatus& status, Instant now);
 
   Receipts receipts_;
   NumberedQueue spinner_;
   std::unique_ptr<runtime::CellSupervisor> supervisor_;
-  std::vector<std::unique_ptr<RobotContact>> contacts_;  ///< by robot
+  std::vector<std::unique_ptr<RobotContact>> contacts_;  ///< in the order of the robots
   std::unique_ptr<PeopleServices> people_;
   std::unique_ptr<ProgramRuns> runs_;
   std::unique_ptr<CellBuilder> builder_;
   std::unique_ptr<SupervisorDiagnostics> diagnostics_;
-  std::string alarm_;                     ///< why the monitor has stopped all; empty: it has not
-  std::optional<Instant> monitor_heard_;  ///< last
+  std::string alarm_;                     ///< why the monitor has stopped all robots; empty: it has not
+  std::optional<Instant> monitor_heard_;  ///< last message of the monitor
   std::optional<cell::CellStatus> told_;
   Instant told_at_;
   std::uint64_t number_ = 0;

@@ -1,4 +1,4 @@
-// The parameters of the supervisor of a cell.
+// The parameters of a cell's supervisor.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct SupervisorParameters {
   std::vector<std::string> warnings;
 };
 
-/// A row for each; `parameters` outlives them.
+/// A row for each parameter; `parameters` must outlive the table.
 [[nodiscard]] SettingTable settingsTable(SupervisorParameters& parameters);
 [[nodiscard]] Result<SupervisorParameters, ParameterError> readSupervisorParameters(
     const GivenParameters& given);

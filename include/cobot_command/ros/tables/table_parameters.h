@@ -1,5 +1,5 @@
-// The parameters of the tables of tools, frames and loads: lists for the first start, and a file that keeps
-// what is written.
+// The parameters of the tables of tools, frames and loads: lists for the first start, and a file that stores
+// written entries.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,15 @@ namespace cobot_command::ros_adapter {
 
 struct TableParameters {
   tables::TableLists lists;
-  std::string file;           ///< empty: nothing is kept
-  tables::DataTables tables;  ///< what they come to
+  std::string file;           ///< empty: nothing is stored
+  tables::DataTables tables;  ///< the resulting tables
 };
 
-/// A row for each; `parameters` outlives it.
+/// A row for each parameter; `parameters` must outlive the table.
 [[nodiscard]] SettingTable tableRows(TableParameters& parameters);
 
-/// The tables of the file, or, where there is none yet, of the lists. `arm`: nullptr without a model.
+/// Reads the tables from the file, or from the lists if the file does not exist yet. `arm`: nullptr without a
+/// model.
 [[nodiscard]] std::optional<SettingFault> readTables(TableParameters& parameters, const arm::ArmModel* arm,
                                                      std::vector<std::string>& warnings);
 

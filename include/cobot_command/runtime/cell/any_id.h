@@ -1,11 +1,11 @@
-// Numbers by which starts of nodes, and new journals, are told from each other.
+// Numbers that distinguish the starts of nodes, and new journals.
 #pragma once
 
 #include <cstdint>
 
 namespace cobot_command::runtime {
 
-/// Drawn at random, above 0: another one each time.
+/// A random number above 0, different for each call.
 [[nodiscard]] std::uint64_t anyId();
 
 }  // namespace cobot_command::runtime

@@ -1,4 +1,5 @@
-// The supervisor of a cell with its files: the artifact that it decides by, and its journal on a disk.
+// The supervisor of a cell with its files: the artifact on which its decisions are based, and its journal on
+// a disk.
 #pragma once
 
 #include <memory>
@@ -15,24 +16,26 @@ namespace cobot_command::runtime {
 class JournalFile;
 
 struct SupervisorFiles {
-  std::string artifact;   ///< as `tm_cell build` has written it
-  std::string journal;    ///< made where there is none
-  std::string cell_file;  ///< what the artifact has to be made of; empty: not compared
+  std::string artifact;  ///< written by `tm_cell build`
+  std::string journal;   ///< created if it does not exist
+  /// The cell file from which the artifact must be built; empty: not compared.
+  std::string cell_file;
 };
 
-/// What decides.
+/// What makes the decisions.
 enum class Deciding {
-  AsBuilt,  ///< what the artifact was built for
+  AsBuilt,  ///< the policy for which the artifact was built
   Supervisor,
   SafeOrder,
-  Schedule  ///< as built; beside that robots take turns on the zones, by the shortest cycle of all
+  /// As built; in addition robots use the zones in turns, in the order of the shortest cycle of all robots.
+  Schedule
 };
 
-/// One thread owns it.
+/// For one thread, which owns it.
 class CellSupervisor {
  public:
-  /// A fault is a sentence: a file that cannot be read, that is damaged, or of another cell; a journal that
-  /// another process has; no schedule within ten seconds.
+  /// An error is a sentence: a file that is unreadable, damaged or of another cell; a journal that another
+  /// process uses; no schedule within ten seconds.
   [[nodiscard]] static Result<std::unique_ptr<CellSupervisor>, std::string> open(const SupervisorFiles& files,
                                                                                  Deciding deciding);
   ~CellSupervisor();

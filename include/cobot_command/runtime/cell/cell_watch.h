@@ -1,4 +1,4 @@
-// What the monitor of a cell watches, made of the cell's file.
+// The input of a cell's monitor, created from the cell's file.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@
 
 namespace cobot_command::runtime {
 
-/// The robots of a cell where they stand, with their tools, and with each part that a step of their program
-/// attaches as one that they may carry. A fault is a sentence: a shape that cannot be made of capsules.
+/// The robots of a cell at their places, with their tools. Each part that a step of their program attaches is
+/// one that they may carry. An error is a sentence: a shape that cannot be made of capsules.
 [[nodiscard]] Result<std::vector<cell::WatchedRobot>, std::string> watchedRobots(const cell::Cell& cell);
 
-/// Robots, mechanisms and obstacles of a cell under watch, by its margin. `stop_distance` [m]; nothing: half
-/// of the margin. A fault is a sentence: a shape that cannot be made of capsules, or a stop distance that is
-/// no part of the margin.
+/// The monitor of a cell's robots, mechanisms and obstacles, with the margin of the cell. `stop_distance`
+/// [m]; nullopt: half of the margin. An error is a sentence: a shape that cannot be made of capsules, or a
+/// stop distance that is not within the margin.
 [[nodiscard]] Result<cell::Monitor, std::string> monitorOf(const cell::Cell& cell,
                                                            cell::MonitorSettings::Mode mode,
                                                            std::optional<double> stop_distance);

@@ -16,22 +16,24 @@ namespace cobot_command::runtime {
 
 inline constexpr double kSlowestTimeScale = 0.01;
 inline constexpr double kFastestTimeScale = 100;
-/// While the arm moves, the simulated time jumps from event to event, with the sockets served in between;
-/// while it stands, time goes on as real time does, as nothing is worth hurrying for. It also falls back to
-/// real time while a client is slow to take its status frames, so that none is flooded. When bytes arrive
-/// depends on the machine, so only what follows from them is the same in every run.
+/// While the arm moves, the simulated time jumps from event to event, and the sockets are served in between.
+/// While the arm is at standstill, the simulated time follows the real time, because nothing needs to be
+/// faster. It also follows the real time while a client is slow to read its status frames, so that no client
+/// is flooded. The arrival times of bytes depend on the machine, so only their consequences are the same in
+/// every run.
 inline constexpr double kAsFastAsPossible = 0;
 
 struct SimulatorOptions {
-  std::string bind_address = "127.0.0.1";  ///< whom to serve; "0.0.0.0": every network of this machine
-  int script_port = 5890;                  ///< 0: any free one, kept while the project stands still
-  int status_port = 5891;                  ///< 0: any free one
-  double time_scale = 1;  ///< simulated seconds in a real one, within the limits above, or kAsFastAsPossible
+  std::string bind_address = "127.0.0.1";  ///< address to serve; "0.0.0.0": all networks of this machine
+  int script_port = 5890;  ///< 0: any free port, which stays reserved while the project does not run
+  int status_port = 5891;  ///< 0: any free port
+  /// Simulated seconds per real second, within the limits above, or kAsFastAsPossible.
+  double time_scale = 1;
   Duration state_period{};   ///< real time between two states for the observer; 0: none
-  bool tells_states = true;  ///< from the start on; see tellStates()
+  bool tells_states = true;  ///< initial value; see tellStates()
 };
 
-/// The real ones, also where any was asked for.
+/// The actual ports, also if any free port was requested.
 struct SimulatorPorts {
   int script = 0;
   int status = 0;
@@ -40,17 +42,18 @@ struct SimulatorPorts {
 /// Why a simulator did not start: what was found, what is allowed, what to do.
 struct SimulatorError {
   enum class Kind {
-    BadOption,   ///< another value is needed
-    Unavailable  ///< the machine refuses for now: a port is in use, for instance
+    BadOption,   ///< the option needs another value
+    Unavailable  ///< the machine refuses at present: for example, a port is in use
   };
   Kind kind = Kind::Unavailable;
   std::string message;
 };
 
-/// Thread-safe, but for what is said of start() and stop().
+/// Thread-safe, except as stated for start() and stop().
 class SimulatorRuntime {
  public:
-  /// Called on the simulator's thread; may be empty; must not throw, and not wait for long.
+  /// Called on the simulator's thread. The functions may be empty. They must not throw and must not wait for
+  /// long.
   struct Observer {
     std::function<void(const simulator::RobotState&)> state;
     std::function<void(const simulator::LogLine&)> log;
@@ -67,17 +70,18 @@ class SimulatorRuntime {
   /// Precondition: called once, before anything else.
   [[nodiscard]] Result<SimulatorPorts, SimulatorError> start();
 
-  /// The power goes off: clients are dropped, ports given back, the thread ends. The observer is not called
-  /// any more once this returns. It never waits for the network. Not from the observer.
+  /// Switches the power off: clients are disconnected, ports are released, the thread ends. The observer is
+  /// not called any more after this returns. It never waits for the network. Must not be called by the
+  /// observer.
   void stop();
 
-  /// Whether the observer is told states, each period and the first at once: none are made while nobody wants
-  /// them. Means nothing without an observer of states and a period.
+  /// Whether the observer gets states, the first one at once and then one in each period. No states are
+  /// created while they are not wanted. No effect without an observer for states or without a period.
   void tellStates(bool wanted);
 
-  /// An operator's action, for instance `controller.operate(StopProject{}, now)`. False, and it is not done,
-  /// once stop() has begun. `finished` is called on the simulator's thread when all that comes of it is done:
-  /// bytes are on their way, ports are open or closed.
+  /// An action of the operator, for example `controller.operate(StopProject{}, now)`. False: stop() has
+  /// begun, and the action is not carried out. `finished` is called on the simulator's thread when the action
+  /// has taken full effect: bytes are being sent, ports are open or closed.
   bool post(Operation operation, std::function<void()> finished = {});
 
  private:

@@ -1,5 +1,5 @@
-// All that a program can be told of a simulated controller: one table for the options of tm_simulator, the
-// parameters of simulated_controller_node and the page.
+// All settings of a simulated controller: one table for the options of tm_simulator, the parameters of
+// simulated_controller_node and the documentation page.
 #pragma once
 
 #include <optional>
@@ -13,16 +13,16 @@
 namespace cobot_command::runtime {
 
 struct SimulatorSetup {
-  std::string robot_model;  ///< empty: whatever the program chooses then
+  std::string robot_model;  ///< empty: the program chooses the model
   simulator::Settings settings;
   SimulatorOptions options;
-  bool log_traffic = false;  ///< what is sent and received, in words
+  bool log_traffic = false;  ///< logs sent and received data, in words
 };
 
-/// A row for each setting, in the order of the pages; `setup` outlives it.
+/// A row for each setting, in the order of the pages; `setup` must outlive the table.
 [[nodiscard]] SettingTable settingsTable(SimulatorSetup& setup);
 
-/// What does not fit together, or not to the model that was chosen.
+/// Settings that contradict each other or the chosen model; nullopt: none.
 [[nodiscard]] std::optional<SettingFault> faultIn(const SimulatorSetup& setup, const arm::ArmModel& arm);
 
 }  // namespace cobot_command::runtime

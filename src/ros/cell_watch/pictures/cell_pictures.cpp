@@ -49,10 +49,9 @@ CellPictures::CellPictures(const ros::NodeHandle& node, cell::Cell cell, std::op
 
 void CellPictures::hear(const cobot_command::CellState& state) {
   if (state.hash != scene_->hash) {
-    ROS_WARN_STREAM_THROTTLE(kComplaintPeriod, "the supervisor has another artifact ("
-                                                   << foreignText(state.hash)
-                                                   << ") than the pictures of zones (" << scene_->hash
-                                                   << "): give both the same file");
+    ROS_WARN_STREAM_THROTTLE(kComplaintPeriod, "the supervisor uses another artifact ("
+                                                   << foreignText(state.hash) << ") than the zone pictures ("
+                                                   << scene_->hash << "): give both the same file");
     return;
   }
   if (looksLike(state.zones, shown_zones_)) return;
@@ -65,10 +64,10 @@ bool CellPictures::showClaims(std_srvs::SetBool::Request& request, std_srvs::Set
   response.success = 1;
   if (!are_claims_wanted_ || claims_) {
     publishClaims();
-    response.message = are_claims_wanted_ ? "They are shown." : "They are not shown any more.";
+    response.message = are_claims_wanted_ ? "Claims are shown." : "Claims are hidden.";
     return true;
   }
-  response.message = "They are being found, and shown then.";
+  response.message = "Claims are being calculated, and are shown when that is done.";
   if (found_claims_.valid()) return true;
   found_claims_ = std::async(std::launch::async, [cell = cell_]() -> Claims {
     auto split = cell::splitCell(cell);
@@ -112,7 +111,7 @@ void CellPictures::show(const WatchView& view) {
   auto found = found_claims_.get();
   if (!found) {
     ROS_ERROR_STREAM(
-        "there are no claims to show: " << forPeople(fmt::format("{}", fmt::join(found.error(), "; "))));
+        "no claims can be shown: " << forPeople(fmt::format("{}", fmt::join(found.error(), "; "))));
     return;
   }
   claims_ = std::move(*found);

@@ -91,7 +91,7 @@ TEST(PartTree, hasTheBodiesOfWhatIsCarriedOnly) {
 }
 
 TEST(PartTree, isRefusedWhereItIsNoTree) {
-  EXPECT_THAT(refusalOf({partOf("a", "b")}), HasSubstr("no such part"));
+  EXPECT_THAT(refusalOf({partOf("a", "b")}), HasSubstr("which does not exist"));
   EXPECT_THAT(refusalOf({partOf("a", "a")}), HasSubstr("on itself"));
   EXPECT_THAT(refusalOf({partOf("a", "b"), partOf("b", "c"), partOf("c", "b")}), HasSubstr("on itself"));
   EXPECT_THAT(refusalOf({partOf("a", kOnFlange), partOf("a", kOnFlange)}), HasSubstr("Two parts"));

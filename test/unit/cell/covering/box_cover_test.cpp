@@ -2,14 +2,15 @@
 
 #include <random>
 
+#include "thorough.h"
 #include <gmock/gmock.h>
 
 namespace cobot_command::cell {
 namespace {
 
 using Eigen::Vector3d;
-using testing::HasSubstr;
-using testing::SizeIs;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
 using Mesh = std::vector<Triangle>;
 
 /// The twelve triangles of a box.
@@ -87,7 +88,7 @@ TEST(ACoverByBoxes, missesNoPointOfAnyTriangle) {
     // On the faces and edges of the cells, too.
     return is_even ? Vector3d((any / 25.0).array().round() * 25.0) : any;
   };
-  for (int run = 0; run < 60; ++run) {
+  for (int run = 0; run < testing::tenthWhenWatched(60); ++run) {
     Mesh mesh;
     for (int i = 0; i < 12; ++i) {
       mesh.push_back({point(run % 2 == 0), point(run % 2 == 0), point(run % 2 == 0)});
@@ -151,7 +152,7 @@ TEST(ACoverByBoxes, isRefusedWhereItWouldBeTooFine) {
   const auto boxes = boxesOver(meshOf({0, 0, 0}, {2000, 2000, 2000}), 5.0);
   ASSERT_FALSE(boxes);
   EXPECT_EQ(boxes.error(),
-            "64000000 cells of 5 mm are needed, and at most 2000000 are allowed: choose larger ones");
+            "64000000 cells of 5 mm are needed, but at most 2000000 are allowed: choose larger ones");
   EXPECT_THAT(boxesOver(meshOf({0, 0, 0}, {1, 1, 1e9}), 50.0).error(), HasSubstr("is it in another unit?"));
 }
 

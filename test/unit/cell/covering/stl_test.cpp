@@ -8,7 +8,7 @@
 namespace cobot_command::cell {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 constexpr const char* kText =
     "solid a bracket\n"
@@ -54,12 +54,12 @@ TEST(AnStlFile, isBinaryWhereItsLengthSaysSoThoughItBeginsAsText) {
 }
 
 TEST(AnStlFile, isRefusedWhereItIsNone) {
-  EXPECT_THAT(faultOf(""), HasSubstr("it is no STL file"));
+  EXPECT_THAT(faultOf(""), HasSubstr("it is not an STL file"));
   EXPECT_THAT(faultOf("shapes: []"), HasSubstr("export the mesh as STL"));
   EXPECT_THAT(faultOf("solid nothing\nendsolid\n"), HasSubstr("no triangles"));
   std::string cut = binary({{0, 0, 0, 1, 0, 0, 0, 2, 0}, {0, 0, 0, 1, 0, 0, 0, 2, 0}});
   cut.pop_back();
-  EXPECT_THAT(faultOf(cut), HasSubstr("it is 183 bytes long, and a binary STL file of 2 triangles has 184"));
+  EXPECT_THAT(faultOf(cut), HasSubstr("it is 183 bytes long, but a binary STL file of 2 triangles has 184"));
   const std::string text = kText;
   EXPECT_THAT(faultOf(text.substr(0, text.rfind("   vertex"))), HasSubstr("it ends within a triangle"));
 }
@@ -70,15 +70,15 @@ TEST(AnStlFile, isRefusedWhereACornerIsNoPoint) {
   EXPECT_THAT(faultOf(text), HasSubstr("a corner of triangle 1 has \"1,5\" where a number should be"));
   text = kText;
   text.replace(text.find("1.5e2"), 5, "nan");
-  EXPECT_THAT(faultOf(text), HasSubstr("triangle 1 has a corner that is no point"));
+  EXPECT_THAT(faultOf(text), HasSubstr("triangle 1 has a corner with invalid coordinates"));
   constexpr float kEndless = std::numeric_limits<float>::infinity();
-  EXPECT_THAT(faultOf(binary({{0, 0, 0, 1, 0, 0, 0, kEndless, 0}})), HasSubstr("no point"));
+  EXPECT_THAT(faultOf(binary({{0, 0, 0, 1, 0, 0, 0, kEndless, 0}})), HasSubstr("invalid coordinates"));
 }
 
 TEST(AnStlFile, isRefusedWhereAFacetIsNoTriangle) {
   std::string text = kText;
   text.insert(text.find("  endloop"), "   vertex 1 1 1\n");
-  EXPECT_THAT(faultOf(text), HasSubstr("triangle 2 has 1 corners, and not 3"));
+  EXPECT_THAT(faultOf(text), HasSubstr("triangle 2 has 1 corners, not 3"));
 }
 
 }  // namespace

@@ -154,7 +154,7 @@ TEST(AMapOfOctomap, refusesVoxelsThatAreTooFar) {
     set.insert(voxel);
     const auto bytes = toOctomap(set, kEdge, "");
     ASSERT_FALSE(bytes);
-    EXPECT_THAT(bytes.error(), HasSubstr("with voxels of 20 mm from -655.4 to 655.4 m"));
+    EXPECT_THAT(bytes.error(), HasSubstr("with voxels of 20 mm extends from -655.4 to 655.4 m"));
   }
 }
 

@@ -39,7 +39,7 @@ TEST(SoftwareLimitsOfACore, areToldWithTheArmThatHasThem) {
   const DynamicsAnswer answer = rig.core.writeLimits(narrow, rig.now);
   rig.pump();
   EXPECT_TRUE(answer.success);
-  EXPECT_THAT(answer.message, HasSubstr("nobody knows"));
+  EXPECT_THAT(answer.message, HasSubstr("the position of the robot is unknown"));
   ASSERT_NE(rig.limited_arm, nullptr);
   EXPECT_EQ(rig.limited_arm->limits()[2].upper, 1.0);
   EXPECT_EQ(rig.core.limits()->rule.upper[2], 1.0);

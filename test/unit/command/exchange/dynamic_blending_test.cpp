@@ -14,10 +14,7 @@ class DynamicBlending : public ::testing::Test {
     rig.connect();
     rig.status(StatusFrames());
     rig.exchangeWith([&](auto& s) { s.allow_dynamic_blending = is_allowed; });
-    auto blended = CoreRig::move();
-    blended.blending_enable = true;
-    blended.blending_value = 50;
-    rig.submit(blended);
+    rig.submit(CoreRig::blended(50));
     rig.reply(rig.takeScript().id);
     rig.stream(StatusFrames().moving());
     RunScriptGoal script;
@@ -44,9 +41,7 @@ TEST_F(DynamicBlending, thatIsAllowedSendsTheScriptAtOnce) {
 
 TEST_F(DynamicBlending, letsTheNextMotionBlendWhenTheScriptIsCancelled) {
   sendBehindABlendedMotion(false);
-  auto next = CoreRig::move();
-  next.buffer_mode = static_cast<int>(BufferMode::Buffered);
-  rig.submit(next);
+  rig.submit(CoreRig::move(BufferMode::Buffered));
   EXPECT_TRUE(rig.nothingSent());
   rig.cancel(behind);
   EXPECT_NE(rig.takeScript().script.find("PTP"), std::string::npos);

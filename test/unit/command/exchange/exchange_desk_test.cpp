@@ -209,15 +209,6 @@ TEST(ExchangeConfiguration, staysEnabledWhileTheFlowIsOutsideOfTheListenNode) {
   EXPECT_EQ(rig.outcome(id), nullptr);
 }
 
-TEST(ExchangeConfiguration, endsWhenTheLayerShutsDown) {
-  ExchangeRig rig;
-  rig.connect();
-  const GoalId id = rig.exchange();
-  rig.shutDown();
-  EXPECT_EQ(rig.outcome(id)->ending, Ending::Aborted);
-  EXPECT_EQ(rig.errorOf(id), own_error::kShutDown);
-}
-
 /// SRCI oracle 17.
 TEST(ExchangeConfiguration, namesWhatIsWithoutEffect) {
   ExchangeRig rig;
@@ -233,10 +224,8 @@ TEST(ExchangeConfiguration, warnsOfAQueueThatIsNearlyFull) {
   const GoalId id = rig.exchange();
   rig.submit(CoreRig::move());
   rig.reply(rig.takeScript().id);
-  auto waits = CoreRig::move();
-  waits.buffer_mode = static_cast<int>(BufferMode::Buffered);
   GoalId last = 0;
-  for (int i = 0; i < 51; ++i) last = rig.submit(waits);
+  for (int i = 0; i < 51; ++i) last = rig.submit(CoreRig::move(BufferMode::Buffered));
   rig.pass(200ms);
   EXPECT_EQ(rig.report(id).warning_id, 0x7A01);
   rig.cancel(last);

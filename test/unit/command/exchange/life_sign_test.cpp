@@ -50,7 +50,7 @@ TEST(LifeSign, thatDoesNotComeEndsTheGoalsAndStopsTheRobot) {
   rig.pass(120ms);
   EXPECT_EQ(rig.errorOf(id), 0x80A5);
   EXPECT_EQ(rig.errorOf(move), 0x99);
-  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("does not stop by itself"));
+  EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("does not stop automatically"));
   EXPECT_THAT(rig.outcome(id)->error_description, HasSubstr("300 ms"));
   bool stops = false;
   for (const auto& message : rig.takeAllSent()) {

@@ -12,10 +12,8 @@ using namespace command;
 using ::testing::HasSubstr;
 
 MoveAbsoluteGoal blended() {
-  MoveAbsoluteGoal move = CoreRig::move();
+  MoveAbsoluteGoal move = CoreRig::blended(50);
   move.buffer_mode = static_cast<int>(BufferMode::Buffered);
-  move.blending_enable = true;
-  move.blending_value = 50;
   return move;
 }
 

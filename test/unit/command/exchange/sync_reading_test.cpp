@@ -93,7 +93,7 @@ TEST_F(SyncReading, asksAControllerThatRefusesListenSendAgainAndTellsWhenItTakes
   EXPECT_EQ(rig.report(id).warning_id, 0x7044);
   ASSERT_EQ(rig.pending_messages.size(), 1U);
   EXPECT_THAT(rig.pending_messages[0].text, HasSubstr("refuses ListenSend()"));
-  EXPECT_THAT(rig.pending_messages[0].remedy, HasSubstr("tried again by itself"));
+  EXPECT_THAT(rig.pending_messages[0].remedy, HasSubstr("queried again automatically"));
   rig.pass(6900ms);
   EXPECT_TRUE(rig.nothingSent()) << "with every tenth look, as it does not have it";
   rig.pass(200ms);

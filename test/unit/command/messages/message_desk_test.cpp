@@ -35,17 +35,12 @@ class Messages : public ::testing::Test {
   CoreRig rig;
 };
 
-TEST_F(Messages, areNoneAsLongAsAllIsWell) {
-  EXPECT_TRUE(rig.messages.empty());
-  EXPECT_TRUE(rig.pending_messages.empty());
-}
-
 TEST_F(Messages, tellOnceWhatTheStatusStreamShouldHaveAndUntilItHas) {
   for (int i = 0; i < 3; ++i) rig.status(StatusFrames().whole().without("ESTOP").without("MA_Mode"));
   ASSERT_EQ(rig.messages.size(), 1U);
   EXPECT_EQ(rig.messages[0].severity, Severity::Warning);
   EXPECT_EQ(rig.messages[0].origin, "status_stream");
-  EXPECT_THAT(rig.messages[0].text, HasSubstr("does not have ESTOP (an emergency stop is not seen"));
+  EXPECT_THAT(rig.messages[0].text, HasSubstr("does not have ESTOP (an emergency stop is not detected"));
   EXPECT_THAT(rig.messages[0].text, HasSubstr("MA_Mode ("));
   EXPECT_EQ(rig.pending_messages.size(), 1U);
   rig.status(StatusFrames().whole().without("MA_Mode"));
@@ -158,8 +153,7 @@ TEST_F(Messages, warnOfAnEmergencyStopThatHasClosedTheLink) {
 
 /// SRCI oracle 18.
 TEST_F(Messages, warnOfAQueueThatIsNearlyFull) {
-  MoveAbsoluteGoal move = CoreRig::move();
-  move.buffer_mode = static_cast<int>(BufferMode::Buffered);
+  const MoveAbsoluteGoal move = CoreRig::move(BufferMode::Buffered);
   for (int i = 0; i < 51; ++i) rig.submit(move);
   rig.discardSent();
   EXPECT_TRUE(rig.pending_messages.empty());

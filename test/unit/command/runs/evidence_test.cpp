@@ -61,7 +61,7 @@ TEST_F(EvidenceTest, seesARobotThatComesToRestOnItsWay) {
   EXPECT_TRUE(evidence_.stalled());
   EXPECT_TRUE(evidence_.stalledOnTheWay());
   EXPECT_THAT(evidence_.stallText(7), HasSubstr("J1 is 18"));
-  EXPECT_THAT(evidence_.stallText(7), HasSubstr("does not know tag 7 any more"));
+  EXPECT_THAT(evidence_.stallText(7), HasSubstr("no longer knows tag 7"));
 
   evidence_.lookedInto();
   EXPECT_FALSE(evidence_.stalled());

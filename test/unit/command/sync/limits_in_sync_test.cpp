@@ -92,8 +92,8 @@ TEST_F(LimitsInSync, areOutOfSyncByTheJointThatGoesBeyond) {
   EXPECT_EQ(report().ri_state, RiState::Initialized);
   EXPECT_FALSE(report().out_cmd.data_in_sync.software_limits);
   const std::string words =
-      "J1 is kept between -90 and 100 deg by the controller's safety functions, and planned between -270 and "
-      "270";
+      "the controller's safety functions limit J1 to -90..100 deg, and this node plans it within -270..270 "
+      "deg";
   EXPECT_THAT(rig.progress(id).back().text, HasSubstr(words));
   EXPECT_THAT(rig.group_state.out_of_sync, HasSubstr(words));
   EXPECT_THAT(rig.group_state.out_of_sync, Not(HasSubstr("J2")));
@@ -168,7 +168,8 @@ TEST_F(LimitsInSync, areSaidToBeNoneWhereTheyLeaveNoAngle) {
   rig.status(streaming(Angles(6, 0), Angles(6, 0)));
   enable();
   EXPECT_EQ(report().ri_state, RiState::Initialized);
-  EXPECT_THAT(rig.group_state.out_of_sync, HasSubstr("are no limits: where it has none, do not enable"));
+  EXPECT_THAT(rig.group_state.out_of_sync,
+              HasSubstr("are no limits: if the controller has none, do not enable"));
 }
 
 TEST_F(LimitsInSync, areLeftAloneWhereTheyAreNotEnabled) {
@@ -226,7 +227,7 @@ TEST_F(LimitsInSync, interruptMotionsAndSayHowTheyGoOn) {
                                   [](const command::Message& message) { return message.code == 0x8C30; });
   ASSERT_NE(found, rig.messages.end());
   const command::Message& told = *found;
-  EXPECT_THAT(told.text, HasSubstr("motions are interrupted: J1"));
+  EXPECT_THAT(told.text, HasSubstr("motions are interrupted: the controller's safety functions limit J1"));
   EXPECT_THAT(told.remedy, HasSubstr("on the pendant"));
   plan(-90, 100);
   const GoalId still = rig.submit(CoreRig::move());

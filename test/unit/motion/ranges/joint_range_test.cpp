@@ -167,10 +167,9 @@ TEST(JointRange, isRefusedOfAMotionThatPromisesNone) {
   ASSERT_FALSE(range);
   EXPECT_EQ(range.error().from, Duration(milliseconds(100)));
   EXPECT_EQ(range.error().to, Duration(milliseconds(200)));
-  EXPECT_EQ(
-      range.error().message,
-      "UNBOUNDED: from 0.100000 s to 0.200000 s of the motion no range of the joints can be proved, as this "
-      "kind of motion promises none: use one that is planned");
+  EXPECT_EQ(range.error().message,
+            "UNBOUNDED: from 0.100000 s to 0.200000 s of the motion no range of the joints can be proved, "
+            "because this kind of motion guarantees none: use one that is planned");
   EXPECT_TRUE(Unknown().jointRange(milliseconds(500), milliseconds(600))) << "it is at rest";
 }
 

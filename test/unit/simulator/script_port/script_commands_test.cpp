@@ -92,10 +92,10 @@ TEST_F(Commands, waitForAKnownTagAsLongAsTheySay) {
 }
 
 TEST_F(Commands, takePointsOnlyWithinAPvtAndNoOtherMotionThere) {
-  EXPECT_EQ(failureOf(script::PvtPoint{}), "PVTPoint stands behind a PVTEnter");
-  EXPECT_EQ(failureOf(script::PvtExit{}), "PVTExit stands behind a PVTEnter");
+  EXPECT_EQ(failureOf(script::PvtPoint{}), "PVTPoint is only allowed after PVTEnter");
+  EXPECT_EQ(failureOf(script::PvtExit{}), "PVTExit is only allowed after PVTEnter");
   EXPECT_EQ(failureOf(script::PvtEnter{}), "");
-  EXPECT_EQ(failureOf(script::Ptp{}), "another motion cannot stand between PVTEnter and PVTExit");
+  EXPECT_EQ(failureOf(script::Ptp{}), "another motion is not allowed between PVTEnter and PVTExit");
   EXPECT_EQ(failureOf(script::PvtPoint{}), "");
   EXPECT_EQ(failureOf(script::PvtExit{}), "");
   EXPECT_EQ(queue.motionCount(), 1);
