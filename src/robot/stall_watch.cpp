@@ -22,15 +22,23 @@ void StallWatch::see(const RobotWatch& robot, Instant now) {
   const bool moves = elsewhere || robot.moving() == true;
   moved_ = moved_ || moves;
   if (!rest_ || moves || robot.held()) {
-    rest_ = Rest{*joints, now, now};
+    rest_ = Rest{*joints, now, now, now};
   } else if (now > rest_->last) {
     rest_->last = now;
     ++rest_->frames;
   }
 }
 
+bool StallWatch::rests(Duration patience) const {
+  return rest_ && rest_->frames >= kFramesStalled && rest_->last - rest_->since >= patience;
+}
+
 bool StallWatch::stalled(Duration patience) const {
-  return moved_ && rest_ && rest_->frames >= kFramesStalled && rest_->last - rest_->since >= patience;
+  return moved_ && rests(patience) && rest_->last - rest_->examined >= patience;
+}
+
+void StallWatch::lookedInto() {
+  if (rest_) rest_->examined = rest_->last;
 }
 
 }  // namespace cobot_command::robot

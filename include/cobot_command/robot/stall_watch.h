@@ -14,17 +14,20 @@ class StallWatch {
  public:
   /// Call it for each status frame after the command was sent.
   void see(const RobotWatch& robot, Instant now);
-  /// True: the robot has moved since, and has then been at standstill for `patience`, without a pause or a
-  /// safeguard. Always false without joint angles, because by speeds alone a slow motion looks like rest.
+  /// True: the robot has been at standstill for `patience`, without a pause or a safeguard. Always false
+  /// without joint angles, because by speeds alone a slow motion looks like rest.
+  [[nodiscard]] bool rests(Duration patience) const;
+  /// The same for a robot that has moved before, and `patience` after the last examination.
   [[nodiscard]] bool stalled(Duration patience) const;
-  /// The standstill was examined: its time starts again.
-  void lookedInto() { rest_.reset(); }
+  /// The standstill was examined: stalled() waits again.
+  void lookedInto();
 
  private:
   struct Rest {
     arm::JointVector place;
     Instant since;
     Instant last;
+    Instant examined;  ///< or `since`
     int frames = 1;
   };
   std::optional<Rest> rest_;

@@ -142,7 +142,7 @@ void CommandRun::act(CommandRunAction action, Instant now) {
     case Do::AskTag:
     case Do::AskTagEarly:
       clock_.ask(action == Do::AskTagEarly);
-      asked_at_ = now;
+      if (action == Do::AskTag) asked_at_ = asked_at_.value_or(now);
       context_.link.queryTag(*order_.tag, now);
       return;
     case Do::Extend:

@@ -107,7 +107,7 @@ class CommandRun {
   Instant sent_at_;
   std::optional<Instant> accepted_at_;
   std::optional<Instant> tag_seen_at_;
-  Instant asked_at_;  ///< for the tag, last
+  std::optional<Instant> asked_at_;  ///< for the tag after its deadline, first
   CommandClock clock_;
   Evidence evidence_;
   CommandReports reports_;

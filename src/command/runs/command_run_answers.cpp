@@ -111,12 +111,14 @@ void CommandRun::tagIncomplete(protocol::TagState state, Instant now) {
          Robot::Stop, now);
     return;
   }
-  // A frame from before the question does not show what became of the motion since.
+  // A frame from before the first question does not show what became of the motion since: this process may
+  // have had no time to read the newer ones. The answer to a later question often comes before the next
+  // frame.
   const auto& shown = context_.robot.status();
-  const bool is_old = shown && shown->received < asked_at_;
+  const bool is_old = shown && shown->received < *asked_at_;
   const auto moving = context_.robot.moving();
   if (is_old || order_.is_open_ended || context_.robot.held() || moving == true ||
-      (!moving && clock_.patient(now))) {
+      (moving == false && !evidence_.rests()) || (!moving && clock_.patient(now))) {
     fire(Event::StillGoing, now);
   } else if (!moving) {
     fail({blocks::own_error::kTagLost, fmt::format("tag {} is still not complete", *order_.tag), ""},

@@ -28,7 +28,12 @@ class Evidence {
   void watch(Instant now) { stall_.see(robot_, now); }
   /// The robot has moved and come to rest, and nothing is seen to hold it.
   [[nodiscard]] bool stalled() const { return stall_.stalled(settings_.evidence_timeout); }
-  /// The same, and not at its target. A stop by somebody else is reported to nobody, but looks so; the
+  /// The robot has been at standstill for as long as the evidence for a tag may take: not only in one frame,
+  /// which may be between two motions. Without joint angles the last frame has to do.
+  [[nodiscard]] bool rests() const {
+    return robot_.joints() ? stall_.rests(settings_.evidence_timeout) : robot_.moving() == false;
+  }
+  /// stalled(), and not at its target. A stop by somebody else is reported to nobody, but looks so; the
   /// controller, asked, then no longer knows the tag. The question alone changes nothing, so it needs no
   /// certainty.
   [[nodiscard]] bool stalledOnTheWay() const;

@@ -197,6 +197,33 @@ TEST_F(Fault, overdueMotionFailedWhenTheRobotStands) {
   expectStopSent();
 }
 
+/// Frames of a controller that starves show the arm where it was, and no motion that it is in.
+TEST_F(Fault, overdueMotionIsNotJudgedByOneFrame) {
+  const GoalId goal = moving();
+  stream(300s, StatusFrames().moving());
+  rig.takeTagQuery();
+  rig.status(StatusFrames());
+  rig.tag(1, TagState::Incomplete);
+  EXPECT_EQ(rig.outcome(goal), nullptr);
+  stream(2s, StatusFrames());
+  rig.takeTagQuery();
+  rig.tag(1, TagState::Incomplete);
+  expectAborted(rig, goal, motion_error::kMotionFailed, "standstill");
+  expectStopSent();
+}
+
+TEST_F(Fault, overdueMotionFailsInASlowStreamAsWell) {
+  const GoalId goal = moving();
+  stream(300s, StatusFrames().moving());
+  for (int question = 0; question < 8 && rig.outcome(goal) == nullptr; ++question) {
+    while (rig.nothingSent()) rig.streamFor(900ms, StatusFrames(), 900ms);
+    rig.takeTagQuery();
+    rig.tag(1, TagState::Incomplete);
+  }
+  expectAborted(rig, goal, motion_error::kMotionFailed, "standstill");
+  expectStopSent();
+}
+
 TEST_F(Fault, overdueMotionIsNotJudgedByAFrameFromBeforeTheQuestion) {
   const GoalId goal = moving();
   stream(299500ms, StatusFrames());
@@ -208,7 +235,7 @@ TEST_F(Fault, overdueMotionIsNotJudgedByAFrameFromBeforeTheQuestion) {
   stream(2s, StatusFrames());
   rig.takeTagQuery();
   rig.tag(1, TagState::Incomplete);
-  expectAborted(rig, goal, motion_error::kMotionFailed, "stands");
+  expectAborted(rig, goal, motion_error::kMotionFailed, "standstill");
   expectStopSent();
 }
 

@@ -252,7 +252,7 @@ Scenarios wireScenarios() {
        }},
       {row(motion_error::kReceiveTag), overdue([](CoreRig& rig) { rig.pass(1s); })},
       {row(motion_error::kMotionFailed), overdue([](CoreRig& rig) {
-         rig.status(StatusFrames());
+         rig.streamFor(600ms, StatusFrames());
          rig.tag(1, TagState::Incomplete);
        })},
       {row(own_error::kTagLost), overdue([](CoreRig& rig) { rig.tag(1, TagState::Unknown); })},

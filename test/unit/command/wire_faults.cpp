@@ -101,7 +101,7 @@ Scenarios wireScenariosOfATurn(const blocks::Goal& goal, float end) {
                   })},
       {row(motion_error::kReceiveTag), overdue([](CoreRig& rig) { rig.pass(1s); })},
       {row(motion_error::kMotionFailed), overdue([end](CoreRig& rig) {
-         rig.status(StatusFrames().at({end, 0, 90, 0, 90, 0}));
+         rig.streamFor(600ms, StatusFrames().at({end, 0, 90, 0, 90, 0}));
          tellTag(rig, protocol::TagState::Incomplete);
        })},
       {row(own_error::kTagLost), overdue([](CoreRig& rig) { tellTag(rig, protocol::TagState::Unknown); })},
