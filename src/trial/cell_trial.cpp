@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <utility>
 
 #include "mail.h"
 #include <fmt/format.h>
@@ -83,6 +84,7 @@ void CellTrial::startSupervisor() {
     const cell::CellPlace& where = model_.places[robot][place];
     return cell::placeFits(*artifact_, robot, where, Eigen::Map<const arm::JointVector>(joints.data()));
   };
+  ports.stop = [this](const cell::StopOrder& order) { stop_orders_.push_back(order); };
   const auto contents = cell::journal::read(journal_);
   assert(contents);
   journal_.resize(journal_.size() - contents->torn);
@@ -154,7 +156,7 @@ void CellTrial::exchange() {
     for (const auto& report : reports) supervision_->take(report, now_);
     const bool is_late = supervision_->nextDeadline().value_or(Instant::max()) <= now_;
     if (is_late || !reports.empty()) supervision_->tick(now_);
-    for (const auto& order : supervision_->takeStopOrders()) {
+    for (const auto& order : std::exchange(stop_orders_, {})) {
       if (order.robot < robots_.size()) {
         static_cast<void>(robots_[order.robot]->submit(blocks::StopGoal{}));
       } else {

@@ -128,6 +128,7 @@ WINGS = {
     "tm_script/values": {"script.h", "value.h"},
     "runtime/cell": set(),
     "runtime/shared": set(),
+    "runtime/cell": {"shared"},
     "runtime/command": {"shared"},
     "runtime/simulation": {"shared"},
     "ros/shared": set(),

@@ -10,7 +10,7 @@ import rospy
 from actionlib_msgs.msg import GoalStatus
 from std_srvs.srv import SetBool, Trigger
 
-from cobot_command.msg import BuildCellAction, CellReport, CellRobot, CellState, CommandStatus, RunCellAction, RunProgramGoal
+from cobot_command.msg import BuildCellAction, CellRobot, CellState, CommandStatus, RunCellAction, RunProgramGoal
 from cobot_command.srv import ConfirmClear, RecoverRobot, TakeOut
 from cobot_test import Latest, OutcomeTestCase, Robot, Sent, program
 from own_nodes import Heard
@@ -33,7 +33,6 @@ class CellTestCase(OutcomeTestCase):
         self.folder = folder.name
         self.journal = os.path.join(folder.name, "cell.journal")
         self.state = Latest("/cell/state", CellState)
-        reports = Latest("/cell/reports", CellReport)
         self.launch_robots()
         self.supervisor = self.start_supervisor()
         self.robots = {name: Robot("/" + name) for name in self.names}
@@ -41,11 +40,6 @@ class CellTestCase(OutcomeTestCase):
         # A robot stands where it has to as soon as its status is heard; commands it takes when its script link is up, too.
         for robot in self.robots.values():
             robot.status.wait_for(lambda s: s.link_state == CommandStatus.READY, "a ready link")
-        # The supervisor may receive from a robot before the robot receives from it; a program ends without a supervisor.
-        for name in self.names:
-            reports.wait_for(lambda m, name=name: m.robot == name and m.instance == self.state.message.instance,
-                             f"a report of {name} that follows the supervisor")
-        reports.close()
 
     def launch_robots(self):
         robots = self.start("roslaunch", "cobot_command", "cell.launch", f"artifact:={self.artifact}", "supervisor:=false", f"time_scale:={self.time_scale}", ends_by=signal.SIGINT)

@@ -126,6 +126,7 @@ class CellTrial {
   std::vector<std::unique_ptr<TrialRobot>> robots_;
   std::vector<std::unique_ptr<TrialMechanism>> mechanisms_;
   std::unique_ptr<cell::Supervision> supervision_;
+  std::vector<cell::StopOrder> stop_orders_;
   std::unique_ptr<Mail> mail_;
   std::string journal_;
   std::optional<std::size_t> journal_limit_;

@@ -40,7 +40,6 @@ class Supervision::Parts {
 
   [[nodiscard]] const automata::Tuple& tuple() const { return record_.tuple(); }
   [[nodiscard]] const SupervisionCounts& counts() const { return counts_; }
-  [[nodiscard]] std::vector<StopOrder> takeStopOrders() { return std::exchange(stop_orders_, {}); }
 
  private:
   // --- Reports.
@@ -91,10 +90,9 @@ class Supervision::Parts {
   std::vector<Instant> zone_since_;                      ///< by zone: since when its holder is the same
   Instant settled_at_{};                                 ///< what was due until then has been done
   bool is_restarted_ = false;                            ///< with a journal that has robots in it
-  std::vector<bool> is_confirmed_;  ///< by robot: it has told where it is since the start
+  std::vector<bool> is_confirmed_;  ///< by robot: since the start it has heard of us, and told where it is
   std::string start_fault_;         ///< why the journal cannot be gone on with
   SupervisionCounts counts_;
-  std::vector<StopOrder> stop_orders_;
 };
 
 }  // namespace cobot_command::cell

@@ -80,10 +80,8 @@ PersonsAnswer Supervision::Parts::finish(bool on, Instant now) {
 
 PersonsAnswer Supervision::Parts::stop(Instant now) {
   const std::string why = "stop was requested";
+  for (RobotIndex robot = 0; robot < robots_.size(); ++robot) ports_.stop({robot, why});
   const bool is_written = record_.hold(true, why);
-  for (RobotIndex robot = 0; robot < robots_.size(); ++robot) {
-    stop_orders_.push_back({robot, why});
-  }
   settle(now);
   return {true, is_written ? "all robots are being stopped; they keep their zones"
                            : "all robots are being stopped, but the journal cannot be written"};

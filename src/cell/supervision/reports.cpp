@@ -84,6 +84,7 @@ bool Supervision::Parts::take(const RobotReport& report, Instant now) {
     ++counts_.other_supervisors;
     fail(*robot, "it follows another supervisor, or a supervisor that lost its journal");
   } else if (mode() != SupervisorMode::Fault && !record_.robot(*robot).is_out) {
+    findIntruders();  // before its events are written, because the disk may take long
     // A node that was started anew while its robot stands at home is as one that is heard for the first time.
     const bool is_at_home = record_.tuple()[*robot] == rules_.initial()[*robot];
     if (record_.robot(*robot).session == 0 || (isStrange(*robot) && is_at_home)) join(*robot);
@@ -108,7 +109,8 @@ void Supervision::Parts::takeEvents(RobotIndex robot, Instant now) {
   }
   watch.waits_since.reset();
   if (!is_confirmed_[robot] && watch.fault().empty()) {
-    is_confirmed_[robot] = watch.isFresh(settings_.lease) && watch.isLinked() &&
+    is_confirmed_[robot] = watch.report().instance == record_.instance() && watch.isFresh(settings_.lease) &&
+                           watch.isLinked() &&
                            ports_.fits(robot, record_.tuple()[robot], watch.report().joints);
   }
   const char* end = endedBy(watch.report().condition);

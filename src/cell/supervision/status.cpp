@@ -83,6 +83,9 @@ std::string Supervision::Parts::textOf(RobotIndex robot, Instant now) const {
   if (!watch.fault().empty()) return watch.fault() + ": recover it";
   if (watch.isSilent(now, settings_.lease)) return "it does not report";
   if (!watch.isLinked()) return "no commands can be sent to it: " + watch.report().text;
+  if (!is_confirmed_[robot] && watch.report().instance == 0) {
+    return "it has not received the state of this supervisor";
+  }
   if (!is_confirmed_[robot]) {
     return fmt::format("it is not at {}: bring it there, or recover it", place.name);
   }

@@ -48,9 +48,6 @@ const automata::Tuple& Supervision::tuple() const {
 const SupervisionCounts& Supervision::counts() const {
   return parts_->counts();
 }
-std::vector<StopOrder> Supervision::takeStopOrders() {
-  return parts_->takeStopOrders();
-}
 std::optional<Instant> Supervision::nextDeadline() const {
   return parts_->nextDeadline();
 }
@@ -185,9 +182,9 @@ void Supervision::Parts::findIntruders() {
       const std::string why = fmt::format(
           "INTRUSION: {} is in {}, which {} {}: bring it out, and continue by hold with false", nameOf(robot),
           rules_.model().program.zones[zone], nameOf(other), holder ? "holds" : "is also in");
+      ports_.stop({robot, why});
+      ports_.stop({other, why});
       (void)record_.hold(true, why);
-      stop_orders_.push_back({robot, why});
-      stop_orders_.push_back({other, why});
     }
   }
   intrusions_ = std::move(lasting);

@@ -65,8 +65,7 @@ void CellSeat::start(const ros::NodeHandle& node, InCore in_core) {
 void CellSeat::stop() {
   if (!spinner_) return;
   timer_.stop();
-  states_.shutdown();
-  spinner_->stop();
+  spinner_->stop();  // states_ stays: to unsubscribe asks the master, and results are still to be sent
   spinner_.reset();
 }
 

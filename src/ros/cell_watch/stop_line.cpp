@@ -24,8 +24,8 @@ void tell(const std::string& robot, const cobot_command::StopResult& result) {
   if (result.error_id == 0) {
     ROS_INFO_STREAM(forPeople(robot) << " is at standstill, or no longer accepts commands that move it");
   } else {
-    ROS_ERROR_STREAM(robot << " may still move: " << foreignText(result.error_description) << " "
-                           << foreignText(result.remedy));
+    ROS_ERROR_STREAM(forPeople(robot) << " may still move: " << foreignText(result.error_description) << " "
+                                      << foreignText(result.remedy));
   }
 }
 

@@ -38,10 +38,10 @@ class MadeBeside {
                  make = std::move(make)]() mutable {
       ++being_made;
       auto made = madeBy(make);
-      --being_made;
       if (const auto open = place.lock(); open && made) open->put(std::move(made));
       made.reset();
       before.reset();
+      --being_made;
     }).detach();
   }
 

@@ -21,21 +21,27 @@ std::shared_ptr<ros::Publisher> publisherOn(ros::NodeHandle node, const std::str
 
 void StopGoals::beginAt(const std::string& space) {
   topic_ = topicIn(space);
-  goals_.set(publisherOn(node_, topic_));
+  goals_[topic_].set(publisherOn(node_, topic_));
 }
 
 void StopGoals::moveTo(const std::string& space) {
   topic_ = topicIn(space);
-  goals_.begin([node = node_, topic = topic_] { return publisherOn(node, topic); });
+  MadeBeside<ros::Publisher>& goals = goals_[topic_];
+  if (!goals.get()) goals.begin([node = node_, topic = topic_] { return publisherOn(node, topic); });
+}
+
+std::shared_ptr<ros::Publisher> StopGoals::goals() const {
+  const auto found = goals_.find(topic_);
+  return found == goals_.end() ? nullptr : found->second.get();
 }
 
 bool StopGoals::isConnected() const {
-  const auto goals = goals_.get();
+  const auto goals = this->goals();
   return goals && *goals && goals->getNumSubscribers() > 0;
 }
 
 void StopGoals::send(const std::string& id) {
-  const auto goals = goals_.get();
+  const auto goals = this->goals();
   if (!goals || !*goals) return;
   cobot_command::StopActionGoal goal;
   goal.header.stamp = ros::Time::now();

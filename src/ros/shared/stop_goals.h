@@ -2,6 +2,8 @@
 // as soon as it is published: nobody waits for another one, nor for an answer.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <string>
 
 #include "shared/made_beside.h"
@@ -25,9 +27,13 @@ class StopGoals {
   [[nodiscard]] const std::string& topic() const { return topic_; }
 
  private:
+  [[nodiscard]] std::shared_ptr<ros::Publisher> goals() const;
+
   ros::NodeHandle node_;
   std::string topic_;
-  MadeBeside<ros::Publisher> goals_;
+  /// By topic, all until the end: while one of them is destroyed, no other can publish until the master has
+  /// answered.
+  std::map<std::string, MadeBeside<ros::Publisher>> goals_;
 };
 
 }  // namespace cobot_command::ros_adapter

@@ -1,5 +1,6 @@
 #include "supervision/people_services.h"
 
+#include <chrono>
 #include <utility>
 
 #include <boost/function.hpp>
@@ -8,28 +9,52 @@
 #include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::ros_adapter {
+namespace {
 
-PeopleServices::PeopleServices(const ros::NodeHandle& node, cell::Supervision& core, Clock clock,
-                               std::function<void(Instant now)> settle)
-    : clock_(std::move(clock)), settle_(std::move(settle)) {
-  OwnHandle handle(node);
-  serve<std_srvs::SetBool>(handle, "hold", [&core](const auto& request, Instant now) {
-    return core.hold(request.data != 0, now);
+/// A disk that is busy answers sooner.
+constexpr std::chrono::seconds kAnsweredWithin(10);
+constexpr const char* kStopped = "all robots are being stopped; they keep their zones";
+
+}  // namespace
+
+PeopleServices::PeopleServices(const ros::NodeHandle& node, ros::CallbackQueueInterface& stops,
+                               ros::CallbackQueueInterface& questions, Ports ports)
+    : ports_(std::move(ports)) {
+  OwnHandle stopping(node);
+  stopping.setCallbackQueue(&stops);
+  using Trigger = std_srvs::Trigger;
+  const boost::function<bool(Trigger::Request&, Trigger::Response&)> stop = [this](auto& /*request*/,
+                                                                                   auto& response) {
+    ports_.stop();
+    response.success = 1;
+    response.message = kStopped;
+    ROS_INFO_STREAM("stop: " << kStopped);
+    return true;
+  };
+  servers_.push_back(stopping.advertiseService("stop", stop));
+
+  OwnHandle asking(node);
+  asking.setCallbackQueue(&questions);
+  serve<std_srvs::SetBool>(asking, "hold", [](const auto& request) -> Question {
+    return [on = request.data != 0](auto& core, Instant now) { return core.hold(on, now); };
   });
-  serve<std_srvs::SetBool>(handle, "finish", [&core](const auto& request, Instant now) {
-    return core.finish(request.data != 0, now);
+  serve<std_srvs::SetBool>(asking, "finish", [](const auto& request) -> Question {
+    return [on = request.data != 0](auto& core, Instant now) { return core.finish(on, now); };
   });
-  serve<std_srvs::Trigger>(handle, "stop",
-                           [&core](const auto& /*request*/, Instant now) { return core.stop(now); });
-  serve<cobot_command::RecoverRobot>(handle, "recover", [&core](const auto& request, Instant now) {
-    return core.recover(request.robot, request.place, foreignText(request.person, kQuoteLimit), now);
+  serve<cobot_command::RecoverRobot>(asking, "recover", [](const auto& request) -> Question {
+    return [request, person = foreignText(request.person, kQuoteLimit)](auto& core, Instant now) {
+      return core.recover(request.robot, request.place, person, now);
+    };
   });
-  serve<cobot_command::ConfirmClear>(handle, "confirm_clear", [&core](const auto& request, Instant now) {
-    const std::string person = foreignText(request.person, kQuoteLimit);
-    return core.confirmClear(request.robot, person, request.was_moved != 0, now);
+  serve<cobot_command::ConfirmClear>(asking, "confirm_clear", [](const auto& request) -> Question {
+    return [request, person = foreignText(request.person, kQuoteLimit)](auto& core, Instant now) {
+      return core.confirmClear(request.robot, person, request.was_moved != 0, now);
+    };
   });
-  serve<cobot_command::TakeOut>(handle, "take_out", [&core](const auto& request, Instant now) {
-    return core.takeOut(request.robot, foreignText(request.person, kQuoteLimit), now);
+  serve<cobot_command::TakeOut>(asking, "take_out", [](const auto& request) -> Question {
+    return [request, person = foreignText(request.person, kQuoteLimit)](auto& core, Instant now) {
+      return core.takeOut(request.robot, person, now);
+    };
   });
 }
 
@@ -39,15 +64,26 @@ void PeopleServices::serve(OwnHandle& node, const char* name, Ask ask) {
   using Response = typename Service::Response;
   const boost::function<bool(Request&, Response&)> answer = [this, name, ask](Request& request,
                                                                               Response& response) {
-    const Instant now = clock_();
-    const cell::PersonsAnswer answered = ask(request, now);
+    const cell::PersonsAnswer answered = answerTo(ask(request));
     response.success = static_cast<std::uint8_t>(answered.success);
     response.message = forPeople(answered.message);
     ROS_INFO_STREAM(name << ": " << forPeople(answered.message));
-    settle_(now);
     return true;
   };
   servers_.push_back(node.advertiseService(name, answer));
+}
+
+cell::PersonsAnswer PeopleServices::answerTo(Question question) const {
+  auto asked = ports_.ask(std::move(question));
+  try {
+    if (asked && asked->wait_for(kAnsweredWithin) == std::future_status::ready) return asked->get();
+  } catch (const std::future_error&) {  // the node ended before it was asked
+    asked.reset();
+  }
+  return {false,
+          asked ? "the disk of the journal has not answered for 10 s: the request is done when it does, and "
+                  "the state shows it"
+                : "the supervisor is shutting down"};
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -57,6 +57,11 @@ void ProgramRuns::follow(const cell::CellStatus& status, const cobot_command::Ce
   giveUpLost();
 }
 
+void ProgramRuns::refuse(const std::string& why) {
+  status_.mode = Mode::Holding;
+  status_.diagnosis = forPeople(why);
+}
+
 void ProgramRuns::heardDistance(double distance) {
   if (!goal_) return;
   const bool is_first = result_.least_distance == kNotHeard;

@@ -28,6 +28,8 @@ class ProgramRuns {
 
   /// The cell as it is told now.
   void follow(const cell::CellStatus& status, const cobot_command::CellState& told, Instant now);
+  /// Until follow() takes over another state of the cell: no goal begins.
+  void refuse(const std::string& why);
   /// The least of any two robots or mechanisms, as the monitor has measured it now [m].
   void heardDistance(double distance);
   /// It is silent: what was measured before is not all of it.

@@ -19,11 +19,14 @@ void RobotContact::heardFrom(const std::string& publisher, bool moving, Instant 
   std::string fault;
   if (publisher != publisher_ && ros::names::validate(publisher, fault)) {
     publisher_ = publisher;
-    const std::string space = ros::names::parentNamespace(publisher);
-    stops_.moveTo(space);
-    programs_.begin([node = node_, action = ros::names::append(space, "run_program")] {
-      return std::make_shared<ProgramClient>(node, action);
-    });
+    space_ = ros::names::parentNamespace(publisher);
+    stops_.moveTo(space_);
+    MadeBeside<ProgramClient>& programs = programs_[space_];
+    if (!programs.get()) {
+      programs.begin([node = node_, action = ros::names::append(space_, "run_program")] {
+        return std::make_shared<ProgramClient>(node, action);
+      });
+    }
     stop_told_.reset();  // the one before was told, and not this one
     ordered_at_ = now;
   }
@@ -51,7 +54,8 @@ void RobotContact::settle(Instant now) {
 }
 
 std::shared_ptr<RobotContact::ProgramClient> RobotContact::programs() const {
-  auto programs = being_made == 0 ? programs_.get() : nullptr;
+  const auto known = programs_.find(space_);
+  auto programs = being_made == 0 && known != programs_.end() ? known->second.get() : nullptr;
   return programs && programs->isServerConnected() ? programs : nullptr;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,7 +43,9 @@ class RobotContact {
   ros::NodeHandle node_;
   std::string publisher_;
   StopGoals stops_;
-  MadeBeside<ProgramClient> programs_;
+  std::string space_;  ///< of its node
+  /// By namespace, all until the end: see StopGoals.
+  std::map<std::string, MadeBeside<ProgramClient>> programs_;
   bool is_stopping_ = false;
   bool moves_ = false;  ///< by its last report
   Instant ordered_at_;

@@ -1,6 +1,7 @@
 #include "cobot_command/ros/supervision/supervisor_node.h"
 
 #include <algorithm>
+#include <future>
 #include <utility>
 
 #include "cell/cell_messages.h"
@@ -16,6 +17,7 @@
 
 #include "cobot_command/common/foreign_text.h"
 #include "cobot_command/ros/shared/own_handle.h"
+#include "cobot_command/ros/shared/posted.h"
 
 namespace cobot_command::ros_adapter {
 namespace {
@@ -37,17 +39,18 @@ std::vector<std::string> namesOf(const cell::Artifact& artifact) {
 
 SupervisorNode::SupervisorNode(const ros::NodeHandle& node, const ros::NodeHandle& self,
                                std::unique_ptr<runtime::CellSupervisor> supervisor)
-    : spinner_(*ros::getGlobalCallbackQueue(), receipts_), supervisor_(std::move(supervisor)) {
+    : spinner_(*ros::getGlobalCallbackQueue(), receipts_),
+      questions_(receipts_),
+      supervisor_(std::move(supervisor)) {
   const cell::Artifact& artifact = supervisor_->artifact();
   for (std::size_t user = 0; user < artifact.program.robots.size(); ++user) {
     contacts_.push_back(std::make_unique<RobotContact>(node));
   }
-  people_ = std::make_unique<PeopleServices>(node, supervisor_->core(), steadyNow,
-                                             [this](Instant now) { settle(now); });
   const ActionQueues queues{spinner_, spinner_};
   runs_ = std::make_unique<ProgramRuns>(node, queues, namesOf(artifact), contacts_);
   builder_ = std::make_unique<CellBuilder>(node, queues, artifact.digest);
   diagnostics_ = std::make_unique<SupervisorDiagnostics>(node, self, artifact.parameters.wait_timeout);
+  servePeople(node);
   OwnHandle handle(node);
   handle.requireType("/diagnostics", "diagnostic_msgs/DiagnosticArray");
   const auto promptly = ros::TransportHints().tcpNoDelay();
@@ -61,27 +64,63 @@ SupervisorNode::SupervisorNode(const ros::NodeHandle& node, const ros::NodeHandl
       [this](const auto& message) { takeDistances(*message); };
   distances_ = handle.subscribe<cobot_command::CellDistances>("distances", 10, distances);
   timer_ = handle.createSteadyTimer(ros::WallDuration(toSeconds(artifact.parameters.report_period)),
-                                    [this](const ros::SteadyTimerEvent&) { settle(steadyNow()); });
-  settle(steadyNow());
+                                    [this](const ros::SteadyTimerEvent&) { tick(steadyNow()); });
+  supervisor_->start([this](const cell::StopOrder& order) { onNode([this, order] { stop(order); }); });
+  questions_.start();
+  tick(steadyNow());
 }
 
-SupervisorNode::~SupervisorNode() = default;
+SupervisorNode::~SupervisorNode() {
+  supervisor_->finish();  // then a question that waits has its answer
+  questions_.stop();
+  ros::getGlobalCallbackQueue()->removeByID(ownerOf(this));
+}
+
+void SupervisorNode::servePeople(const ros::NodeHandle& node) {
+  PeopleServices::Ports ports;
+  ports.stop = [this] { stopAll(); };
+  ports.ask = [this](PeopleServices::Question question) {
+    auto answer = std::make_shared<std::promise<cell::PersonsAnswer>>();
+    auto asked = std::make_optional(answer->get_future());
+    const auto ask = [this, answer, question = std::move(question)](cell::Supervision& core) {
+      const Instant now = steadyNow();
+      answer->set_value(question(core, now));
+      decide(core, now);
+    };
+    if (!supervisor_->postUrgent(ask)) asked.reset();
+    return asked;
+  };
+  people_ = std::make_unique<PeopleServices>(node, spinner_, questions_.queue(), std::move(ports));
+}
+
+void SupervisorNode::onNode(std::function<void()> what) {
+  post(*ros::getGlobalCallbackQueue(), std::move(what), this);
+}
+
+void SupervisorNode::decide(cell::Supervision& core, Instant now) {
+  core.tick(now);
+  onNode([this, decided = Decided{core.status(now), core.counts()}] { take(decided); });
+}
 
 void SupervisorNode::takeReport(const ReportEvent& event) {
-  const Instant now = steadyNow();
-  const auto& message = event.getConstMessage();
-  const bool is_taken = supervisor_->core().take(toReport(*message), now);
-  const cell::CellStatus status = supervisor_->core().status(now);
-  for (std::size_t robot = 0; robot < status.robots.size(); ++robot) {
-    const cell::RobotStatus& known = status.robots[robot];
-    // A second node for the same robot is not whom stops and goals are sent to.
-    const bool is_its_own = known.session == 0 || known.session == message->session;
-    if (is_taken && known.name == message->robot && is_its_own) {
-      contacts_[robot]->heardFrom(event.getPublisherName(), message->moving != 0, now);
+  const Instant received = steadyNow();
+  supervisor_->post([this, received, message = event.getConstMessage(),
+                     publisher = event.getPublisherName()](cell::Supervision& core) {
+    const Instant now = steadyNow();
+    const bool is_taken = core.take(toReport(*message), now);
+    const cell::CellStatus status = core.status(now);
+    for (std::size_t robot = 0; is_taken && robot < status.robots.size(); ++robot) {
+      const cell::RobotStatus& known = status.robots[robot];
+      // A second node for the same robot is not whom stops and goals are sent to.
+      const bool is_its_own = known.session == 0 || known.session == message->session;
+      if (known.name != message->robot || !is_its_own) continue;
+      onNode([this, robot, publisher, moving = message->moving != 0] {
+        contacts_[robot]->heardFrom(publisher, moving, steadyNow());
+      });
     }
-  }
-  settle(now);
-  diagnostics_->answered(steadyNow() - now);
+    decide(core, now);
+    onNode([this, received] { diagnostics_->answered(steadyNow() - received); });
+  });
 }
 
 void SupervisorNode::takeState(const StateEvent& event) {
@@ -103,21 +142,42 @@ void SupervisorNode::takeDistances(const cobot_command::CellDistances& message) 
   }
 }
 
-void SupervisorNode::settle(Instant now) {
-  cell::Supervision& core = supervisor_->core();
-  core.tick(now);
-  for (const cell::StopOrder& order : core.takeStopOrders()) {
-    ROS_WARN_STREAM(core.status(now).robots[order.robot].name << " is being stopped: "
-                                                              << forPeople(order.why));
-    contacts_[order.robot]->stop(now);
-  }
+void SupervisorNode::stopAll() {
+  ++stops_asked_;
+  runs_->refuse("a stop was requested");
+  for (const auto& contact : contacts_) contact->stop(steadyNow());
+  supervisor_->postUrgent([this](cell::Supervision& core) {
+    const Instant now = steadyNow();
+    const cell::PersonsAnswer answer = core.stop(now);
+    if (!answer.success) ROS_ERROR_STREAM("stop: " << forPeople(answer.message));
+    onNode([this] { --stops_asked_; });
+    decide(core, now);
+  });
+}
+
+void SupervisorNode::stop(const cell::StopOrder& order) {
+  ROS_WARN_STREAM(supervisor_->artifact().program.robots[order.robot].name << " is being stopped: "
+                                                                           << forPeople(order.why));
+  contacts_[order.robot]->stop(steadyNow());
+}
+
+void SupervisorNode::tick(Instant now) {
   for (const auto& contact : contacts_) contact->settle(now);
-  cell::CellStatus status = core.status(now);
+  if (std::exchange(is_tick_asked_, true)) return;
+  supervisor_->post([this](cell::Supervision& core) {
+    onNode([this] { is_tick_asked_ = false; });
+    decide(core, steadyNow());
+  });
+}
+
+void SupervisorNode::take(Decided decided) {
+  const Instant now = steadyNow();
   if (isMonitorLost(now)) runs_->lostMonitor();
   const std::string of_monitor = diagnosisOfMonitor(now);
-  if (!of_monitor.empty()) status.diagnosis += (status.diagnosis.empty() ? "" : "; ") + forPeople(of_monitor);
+  std::string& diagnosis = decided.status.diagnosis;
+  if (!of_monitor.empty()) diagnosis += (diagnosis.empty() ? "" : "; ") + forPeople(of_monitor);
   const bool is_due = now >= told_at_ + supervisor_->artifact().parameters.report_period / 2;
-  if (!told_ || is_due || !cell::areAlike(*told_, status)) tell(status, now);
+  if (!told_ || is_due || !cell::areAlike(*told_, decided.status)) tell(decided, now);
 }
 
 bool SupervisorNode::isMonitorLost(Instant now) const {
@@ -133,12 +193,14 @@ std::string SupervisorNode::diagnosisOfMonitor(Instant now) const {
   return "the monitor has stopped all robots: " + alarm_ + "; move them apart, and call reset_monitor";
 }
 
-void SupervisorNode::tell(const cell::CellStatus& status, Instant now) {
+void SupervisorNode::tell(const Decided& decided, Instant now) {
+  const cell::CellStatus& status = decided.status;
   told_at_ = now;
   const auto message = toMessage(status, ++number_);
   state_.publish(message);
   runs_->follow(status, message, now);
-  diagnostics_->take(status, supervisor_->core().counts());
+  if (stops_asked_ > 0) runs_->refuse("a stop was requested");
+  diagnostics_->take(status, decided.counts);
   if (!told_ || told_->mode != status.mode) {
     ROS_INFO_STREAM("the cell is " << toString(status.mode) << (status.diagnosis.empty() ? "" : ": ")
                                    << forPeople(status.diagnosis));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cell/journal_file.h"
+#include "shared/core_thread.h"
 #include <Eigen/Core>
 #include <fmt/format.h>
 
@@ -78,14 +79,37 @@ CellSupervisor::CellSupervisor(cell::Artifact artifact, cell::Rules rules, cell:
     return cell::placeFits(artifact_, robot, places[robot][place],
                            Eigen::Map<const arm::JointVector>(joints.data()));
   };
+  ports.stop = [this](const cell::StopOrder& order) {
+    if (stop_) stop_(order);
+  };
   cell::SupervisionSettings settings;
   settings.lease = artifact_.parameters.lease;
   settings.aging = artifact_.parameters.aging;
   settings.turns = std::move(turns);
   core_ = std::make_unique<cell::Supervision>(std::move(rules), artifact_.digest, anyId(),
                                               journal_->takeRecords(), std::move(settings), std::move(ports));
+  thread_ = std::make_unique<CoreThread>();
 }
 
-CellSupervisor::~CellSupervisor() = default;
+CellSupervisor::~CellSupervisor() {
+  finish();
+}
+
+void CellSupervisor::start(Stop stop) {
+  stop_ = std::move(stop);
+  thread_->start();
+}
+
+bool CellSupervisor::post(Task task) {
+  return thread_->post([this, task = std::move(task)] { task(*core_); });
+}
+
+bool CellSupervisor::postUrgent(Task task) {
+  return thread_->postUrgent([this, task = std::move(task)] { task(*core_); });
+}
+
+void CellSupervisor::finish() {
+  thread_->finish([] {});
+}
 
 }  // namespace cobot_command::runtime

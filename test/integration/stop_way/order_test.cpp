@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "event_log.h"
 #include "move_goal.h"
@@ -35,6 +36,35 @@ struct Ended {
   std::string goal;
   int status;
   std::string why;
+};
+
+/// Twenty clients that call a service which takes as long as it may. When the first one has its answer, all
+/// others are in the queue of the service: whatever comes into that queue now is served after all of them.
+class ManyCalls {
+ public:
+  explicit ManyCalls(const std::function<void()>& call) {
+    for (int client = 0; client < kClients; ++client) {
+      clients_.emplace_back([this, call] {
+        call();
+        answered_.add(0);
+      });
+    }
+  }
+  ~ManyCalls() {
+    for (std::thread& client : clients_) client.join();
+  }
+  ManyCalls(const ManyCalls&) = delete;
+  ManyCalls& operator=(const ManyCalls&) = delete;
+
+  void waitUntilOneIsAnswered() const {
+    EXPECT_TRUE(answered_.waitUntil([](const auto& answers) { return !answers.empty(); }));
+  }
+  [[nodiscard]] bool areWaiting() const { return answered_.events().size() < kClients; }
+
+ private:
+  static constexpr int kClients = 20;
+  mutable testing::EventLog<int> answered_;
+  std::vector<std::thread> clients_;
 };
 
 /// At once into the queue of its subscriber: messages are received in the order in which they are published.
@@ -204,31 +234,33 @@ TEST_F(StopWay, nothingIsKeptOfAGoalThatHasEndedButItsStatus) {
 TEST_F(StopWay, aStopWaitsForNoDisk) {
   beginMove();
   testing::SlowDisk::instance().hang();
-  std::thread client([this] {
+  const ManyCalls calls([this] {
     cobot_command::WriteLoad call;
     call.request.load.index = 1;
     call.request.load.mass = 1;
     EXPECT_TRUE(node.serviceClient<cobot_command::WriteLoad>("write_load").call(call));
   });
   ASSERT_TRUE(testing::SlowDisk::instance().isWaitedFor());
+  calls.waitUntilOneIsAnswered();
   stop();
   EXPECT_TRUE(hearsStop());
+  EXPECT_TRUE(calls.areWaiting());
   testing::SlowDisk::instance().goOn();
-  client.join();
 }
 
 TEST_F(StopWay, aStopWaitsForNoServiceThatWaitsForTheController) {
   beginMove();
   peer.holdAnswersTo("Pause");
-  std::thread client([this] {
+  const ManyCalls calls([this] {
     cobot_command::ChangeSpeedOverride call;
     EXPECT_TRUE(node.serviceClient<cobot_command::ChangeSpeedOverride>("change_speed_override").call(call));
   });
   ASSERT_TRUE(peer.timeOf("Pause", 0).has_value());
+  calls.waitUntilOneIsAnswered();
   stop();
   EXPECT_TRUE(hearsStop());
+  EXPECT_TRUE(calls.areWaiting());
   peer.letAnswersGo();
-  client.join();
 }
 
 TEST_F(StopWay, aStopWaitsForNoMaster) {

@@ -52,3 +52,8 @@ extern "C" int fsync(int file) {
   cobot_command::testing::SlowDisk::instance().sync();
   return static_cast<int>(::syscall(SYS_fsync, file));
 }
+
+extern "C" int fdatasync(int file) {
+  cobot_command::testing::SlowDisk::instance().sync();
+  return static_cast<int>(::syscall(SYS_fdatasync, file));
+}

@@ -1,5 +1,5 @@
-// A disk whose fsync() takes as long as a test wants: it stands in for that of the system in the program that
-// links it.
+// A disk whose fsync() and fdatasync() take as long as a test wants: they replace those of the system in the
+// program that links it.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@ class SlowDisk {
   /// Until somebody waits for it. False: nobody came in a minute.
   [[nodiscard]] bool isWaitedFor();
 
-  /// Of fsync().
+  /// Of fsync() and fdatasync().
   void sync();
 
  private:

@@ -263,6 +263,7 @@ class Booking {
       return true;
     };
     ports.fits = [](RobotIndex, automata::StateIndex, const std::array<double, 6>&) { return true; };
+    ports.stop = [](const StopOrder&) {};
     supervision_ =
         std::make_unique<Supervision>(Rules(model_, parts_, Policy::Supervisor), kHash, 7, contents->records,
                                       SupervisionSettings{kLease, 24h}, std::move(ports));

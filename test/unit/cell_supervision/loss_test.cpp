@@ -190,7 +190,9 @@ TEST(ASupervisorWithoutItsJournal, isAnotherOneToTheRobots) {
               ::testing::HasSubstr("restart its node"));
   cell.now += std::chrono::seconds(1);
   cell.robots.clear();
-  for (RobotIndex robot = 0; robot < 2; ++robot) cell.robots.emplace_back(cell.model(), robot, 200 + robot);
+  for (RobotIndex robot = 0; robot < 2; ++robot) {
+    cell.robots.emplace_back(cell.model(), robot, 200 + robot, 8);
+  }
   cell.fits = false;  // one of them is not at home
   cell.exchange();
   cell.fits = true;
@@ -282,12 +284,33 @@ TEST(AnIntrusion, stopsBothAlsoWhileTheCellIsHeld) {
   RobotReport report = cell.robots[1].report();
   report.touched_zones = {0};
   cell.supervision->take(report, cell.now);
-  EXPECT_EQ(cell.supervision->takeStopOrders().size(), 2U);
+  EXPECT_EQ(cell.takeStopOrders().size(), 2U);
   report.number += 1;
   cell.supervision->take(report, cell.now);
-  EXPECT_EQ(cell.supervision->takeStopOrders().size(), 0U) << "once";
+  EXPECT_EQ(cell.takeStopOrders().size(), 0U) << "once";
   EXPECT_THAT(cell.supervision->hold(false, cell.now).message, ::testing::HasSubstr("INTRUSION"));
-  EXPECT_EQ(cell.supervision->takeStopOrders().size(), 2U) << "and again where it lasts";
+  EXPECT_EQ(cell.takeStopOrders().size(), 2U) << "and again where it lasts";
+}
+
+/// The journal's disk may take long, or for ever.
+TEST(AStop, isOrderedBeforeItIsWritten) {
+  SupervisedCell cell(handover());
+  cell.exchange();
+  cell.bring(0, "T1>1");
+  std::size_t written = cell.journal.size();
+  cell.at_stop = [&] { EXPECT_EQ(cell.journal.size(), written); };
+  RobotReport intrudes = cell.robots[1].report();
+  intrudes.touched_zones = {0};
+  cell.robots[1].goOn();
+  intrudes.events = cell.robots[1].report().events;
+  cell.supervision->take(intrudes, cell.now);
+  EXPECT_EQ(cell.takeStopOrders().size(), 2U) << "of an intrusion";
+  EXPECT_GT(cell.journal.size(), written);
+
+  written = cell.journal.size();
+  EXPECT_TRUE(cell.supervision->stop(cell.now).success);
+  EXPECT_EQ(cell.takeStopOrders().size(), 2U) << "that a person asks for";
+  EXPECT_GT(cell.journal.size(), written);
 }
 
 TEST(AMechanismThatWasLetGo, keepsRobotsFromBeingRecoveredInItsWay) {

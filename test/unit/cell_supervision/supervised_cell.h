@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -17,10 +18,14 @@ namespace cobot_command::cell {
 inline constexpr const char* kHash = "0123456789abcdef";
 
 /// What a robot's own side does of it: knows its place, asks, waits, and tells what happened.
+inline constexpr std::uint64_t kInstance = 7;
+
 class EventRobot {
  public:
-  EventRobot(const CellModel& model, RobotIndex index, std::uint64_t session)
-      : model_(model), index_(index), session_(session) {
+  /// `instance`: of the supervisor that it has heard of.
+  EventRobot(const CellModel& model, RobotIndex index, std::uint64_t session,
+             std::uint64_t instance = kInstance)
+      : model_(model), index_(index), session_(session), instance_(instance) {
     place_ = model.problem.automata[index].initial;
   }
 
@@ -98,7 +103,7 @@ class EventRobot {
   const CellModel& model_;
   RobotIndex index_;
   std::uint64_t session_;
-  std::uint64_t instance_ = 0;
+  std::uint64_t instance_;
   std::uint64_t number_ = 0;
   std::uint64_t acknowledged_ = 0;
   std::uint64_t report_number_ = 0;
@@ -127,7 +132,7 @@ class SupervisedCell {
   }
 
   /// The supervisor anew, with the journal as it is.
-  void start(std::uint64_t instance = 7) {
+  void start(std::uint64_t instance = kInstance) {
     const auto contents = journal::read(journal);
     ASSERT_TRUE(contents);
     journal.resize(journal.size() - contents->torn);
@@ -160,6 +165,7 @@ class SupervisedCell {
   }
   [[nodiscard]] RobotStatus robot(RobotIndex robot) const { return supervision->status(now).robots[robot]; }
   [[nodiscard]] ZoneStatus zone(ZoneIndex zone) const { return supervision->status(now).zones[zone]; }
+  [[nodiscard]] std::vector<StopOrder> takeStopOrders() { return std::exchange(stop_orders, {}); }
   [[nodiscard]] SupervisorMode mode() const { return supervision->status(now).mode; }
   [[nodiscard]] const CellModel& model() const { return model_; }
 
@@ -182,6 +188,8 @@ class SupervisedCell {
   /// Of a record that goes beyond so many bytes, only that is written which does not.
   std::size_t journal_limit = std::numeric_limits<std::size_t>::max();
   bool fits = true;
+  std::vector<StopOrder> stop_orders;
+  std::function<void()> at_stop;
   std::unique_ptr<Supervision> supervision;
   std::vector<EventRobot> robots;
 
@@ -198,7 +206,11 @@ class SupervisedCell {
               if (can_be_made_anew) journal = line;
               return can_be_made_anew;
             },
-            [this](RobotIndex, automata::StateIndex, const std::array<double, 6>&) { return fits; }};
+            [this](RobotIndex, automata::StateIndex, const std::array<double, 6>&) { return fits; },
+            [this](const StopOrder& order) {
+              stop_orders.push_back(order);
+              if (at_stop) at_stop();
+            }};
   }
 
   CellProgram program_;

@@ -75,6 +75,22 @@ TEST(ASupervisor, waitsForARobotThatDoesNotStandAtHome) {
   EXPECT_EQ(cell.mode(), SupervisorMode::Ready);
 }
 
+/// Else a program that is started where the cell is ready would end at once: its robot knows of no
+/// supervisor.
+TEST(ASupervisor, waitsForARobotThatHasNotReceivedItsState) {
+  SupervisedCell cell(handover());
+  EventRobot robot(cell.model(), 0, 100, 0);
+  cell.supervision->take(robot.report(), cell.now);
+  cell.supervision->take(cell.robots[1].report(), cell.now);
+  EXPECT_EQ(cell.mode(), SupervisorMode::Starting);
+  EXPECT_EQ(cell.robot(0).state, RobotState::Absent);
+  EXPECT_EQ(cell.robot(0).text, "it has not received the state of this supervisor");
+  EXPECT_EQ(cell.robot(1).state, RobotState::Ready);
+  robot.hear(cell.supervision->status(cell.now));
+  cell.supervision->take(robot.report(), cell.now);
+  EXPECT_EQ(cell.mode(), SupervisorMode::Ready);
+}
+
 TEST(ASupervisor, letsARobotJoinThatWasStartedAnewWithTheRightArtifact) {
   SupervisedCell cell(handover());
   RobotReport other = cell.robots[0].report();
@@ -293,7 +309,7 @@ TEST(AnIntruder, StopsBothAndKeepsTheZoneFromOthers) {
   cell.supervision->take(report, cell.now);
   EXPECT_EQ(cell.robot(1).state, RobotState::Manual);
   EXPECT_EQ(cell.zone(0).state, ZoneState::Quarantined);
-  EXPECT_THAT(cell.supervision->takeStopOrders(), IsEmpty()) << "the zone was free";
+  EXPECT_THAT(cell.takeStopOrders(), IsEmpty()) << "the zone was free";
   cell.robots[0].goOn();
   cell.supervision->take(cell.robots[0].report(), cell.now);
   cell.robots[0].hear(cell.supervision->status(cell.now));
@@ -305,7 +321,7 @@ TEST(AnIntruder, StopsBothAndKeepsTheZoneFromOthers) {
   report.number += 10;
   cell.supervision->take(report, cell.now);
   EXPECT_EQ(cell.mode(), SupervisorMode::Holding);
-  const auto orders = cell.supervision->takeStopOrders();
+  const auto orders = cell.takeStopOrders();
   ASSERT_EQ(orders.size(), 2U);
   EXPECT_THAT(orders[0].why, HasSubstr("INTRUSION: RB is in Z, which RA holds"));
 }

@@ -2,7 +2,7 @@
 // provides the state to publish.
 //
 // Pure: its inputs are events and the time, its outputs the state and stop orders. Owned by one thread. Every
-// event is in the journal before it is published.
+// event is in the journal before it is published; only a stop order is given before its reason is written.
 #pragma once
 
 #include <array>
@@ -33,18 +33,20 @@ struct SupervisionSettings {
   std::size_t most_records = 100000;  ///< of the journal, before it is compacted
 };
 
+/// A robot must be stopped, whatever it does.
+struct StopOrder {
+  RobotIndex robot = 0;
+  std::string why;
+};
+
 /// Services that the supervisor needs; robots are identified by number.
 struct SupervisionPorts {
   journal::Append append;
   journal::Replace replace;  ///< empty: the journal is never compacted
   /// True if a robot with those joints [rad] is at that place of its program.
   std::function<bool(RobotIndex robot, automata::StateIndex place, const std::array<double, 6>& joints)> fits;
-};
-
-/// A robot must be stopped, whatever it does.
-struct StopOrder {
-  RobotIndex robot = 0;
-  std::string why;
+  /// Called before anything is appended because of it: the disk of the journal may take long.
+  std::function<void(const StopOrder& order)> stop;
 };
 
 /// Answer to an operator: whether the request was done, and a sentence.
@@ -93,8 +95,6 @@ class Supervision {
   [[nodiscard]] CellStatus status(Instant now) const;
   [[nodiscard]] const automata::Tuple& tuple() const;
   [[nodiscard]] const SupervisionCounts& counts() const;
-  /// All since the last call, in order.
-  [[nodiscard]] std::vector<StopOrder> takeStopOrders();
   /// The time of the next tick(), if nothing else happens before.
   [[nodiscard]] std::optional<Instant> nextDeadline() const;
 

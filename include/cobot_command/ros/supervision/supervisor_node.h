@@ -2,9 +2,11 @@
 // and offers services and actions for operators.
 //
 // All its names are relative to the node's namespace, which is that of the cell. It must be spun by one
-// thread.
+// thread, which waits for nothing: stops and cancels do not wait for the disk of the journal, because the
+// decisions are made on the thread of the CellSupervisor.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,8 +22,10 @@
 #include "cobot_command/CellReport.h"
 #include "cobot_command/CellState.h"
 #include "cobot_command/cell/supervision/cell_state.h"
+#include "cobot_command/cell/supervision/supervision.h"
 #include "cobot_command/common/time.h"
 #include "cobot_command/ros/shared/receipts.h"
+#include "cobot_command/ros/shared/serving_thread.h"
 #include "cobot_command/runtime/cell/cell_supervisor.h"
 
 namespace cobot_command::ros_adapter {
@@ -45,19 +49,38 @@ class SupervisorNode {
   using ReportEvent = ros::MessageEvent<const cobot_command::CellReport>;
   using StateEvent = ros::MessageEvent<const cobot_command::CellState>;
 
+  /// What the core has decided, for the thread of the node.
+  struct Decided {
+    cell::CellStatus status;
+    cell::SupervisionCounts counts;
+  };
+
+  void servePeople(const ros::NodeHandle& node);
+
+  // --- On the thread of the node.
   void takeReport(const ReportEvent& event);
   void takeState(const StateEvent& event);
   void takeDistances(const cobot_command::CellDistances& message);
+  /// At once, and no run_cell begins until the core has decided it, too.
+  void stopAll();
+  void stop(const cell::StopOrder& order);
   [[nodiscard]] bool isMonitorLost(Instant now) const;
   /// What is to be reported about the monitor; empty: nothing.
   [[nodiscard]] std::string diagnosisOfMonitor(Instant now) const;
-  /// Makes the due decisions, stops robots if necessary, and publishes the state, if it is new or due.
-  void settle(Instant now);
-  void tell(const cell::CellStatus& status, Instant now);
+  /// Repeats stops if necessary, and lets the core look at the time.
+  void tick(Instant now);
+  /// Publishes the state, if it is new or due.
+  void take(Decided decided);
+  void tell(const Decided& decided, Instant now);
+  /// Runs it on the thread of the node.
+  void onNode(std::function<void()> what);
+
+  // --- On the thread of the decisions.
+  void decide(cell::Supervision& core, Instant now);
 
   Receipts receipts_;
   NumberedQueue spinner_;
-  std::unique_ptr<runtime::CellSupervisor> supervisor_;
+  ServingThread questions_;                              ///< of operators, that the core answers
   std::vector<std::unique_ptr<RobotContact>> contacts_;  ///< in the order of the robots
   std::unique_ptr<PeopleServices> people_;
   std::unique_ptr<ProgramRuns> runs_;
@@ -67,12 +90,15 @@ class SupervisorNode {
   std::optional<Instant> monitor_heard_;  ///< last message of the monitor
   std::optional<cell::CellStatus> told_;
   Instant told_at_;
+  bool is_tick_asked_ = false;  ///< and not decided yet
+  int stops_asked_ = 0;         ///< the same for those of stopAll()
   std::uint64_t number_ = 0;
   ros::Publisher state_;
   ros::Subscriber reports_;
   ros::Subscriber states_;
   ros::Subscriber distances_;
   ros::SteadyTimer timer_;
+  std::unique_ptr<runtime::CellSupervisor> supervisor_;
 };
 
 }  // namespace cobot_command::ros_adapter

@@ -1,9 +1,12 @@
-// The supervisor of a cell with its files: the artifact on which its decisions are based, and its journal on
-// a disk.
+// The supervisor of a cell with its files and its thread: the artifact on which its decisions are based, and
+// its journal on a disk.
+//
+// Each decision is written to the journal before it counts, and the disk may take long or hang. Therefore
+// decisions have a thread of their own, and the caller's thread never waits for it.
 #pragma once
 
+#include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "cobot_command/cell/artifact/artifact.h"
@@ -13,6 +16,7 @@
 
 namespace cobot_command::runtime {
 
+class CoreThread;
 class JournalFile;
 
 struct SupervisorFiles {
@@ -31,9 +35,11 @@ enum class Deciding {
   Schedule
 };
 
-/// For one thread, which owns it.
 class CellSupervisor {
  public:
+  using Task = std::function<void(cell::Supervision& core)>;
+  using Stop = std::function<void(const cell::StopOrder& order)>;
+
   /// An error is a sentence: a file that is unreadable, damaged or of another cell; a journal that another
   /// process uses; no schedule within ten seconds.
   [[nodiscard]] static Result<std::unique_ptr<CellSupervisor>, std::string> open(const SupervisorFiles& files,
@@ -43,7 +49,16 @@ class CellSupervisor {
   CellSupervisor& operator=(const CellSupervisor&) = delete;
 
   [[nodiscard]] const cell::Artifact& artifact() const { return artifact_; }
-  [[nodiscard]] cell::Supervision& core() { return *core_; }
+
+  /// Starts the thread. `stop` is called on it, before the journal is written, so it must not wait.
+  void start(Stop stop);
+  /// Runs the task on the thread of the decisions, after those posted before. Thread-safe. False, and it
+  /// never runs: after finish().
+  bool post(Task task);
+  /// The same, before all tasks that are not urgent.
+  bool postUrgent(Task task);
+  /// Waits for the running task and those posted before; nothing runs on the thread after it returns.
+  void finish();
 
  private:
   CellSupervisor(cell::Artifact artifact, cell::Rules rules, cell::ZoneOrders turns,
@@ -51,7 +66,9 @@ class CellSupervisor {
 
   cell::Artifact artifact_;
   std::unique_ptr<JournalFile> journal_;
+  Stop stop_;
   std::unique_ptr<cell::Supervision> core_;
+  std::unique_ptr<CoreThread> thread_;  // last: its tasks need all the others
 };
 
 }  // namespace cobot_command::runtime
