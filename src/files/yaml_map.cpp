@@ -36,8 +36,29 @@ bool decode(const YAML::Node& node, int& value) {
   return decodeNumber(node, value);
 }
 
+/// 010 is 8 in YAML 1.1 and 10 in YAML 1.2, and people mean 10.
+bool hasLeadingZero(const YAML::Node& node) {
+  const std::string& text = node.Scalar();
+  const std::size_t first = text.find_first_not_of("+-");
+  return first + 1 < text.size() && text[first] == '0' && text[first + 1] >= '0' && text[first + 1] <= '9';
+}
+template <class Value>
+void refuseLeadingZero(const YAML::Node& /*node*/, const std::string& /*key*/, const char* /*allowed*/) {}
+template <>
+void refuseLeadingZero<double>(const YAML::Node& node, const std::string& key, const char* allowed) {
+  if (!node.IsScalar() || !hasLeadingZero(node)) return;
+  throw YamlFault(node.Mark(), fmt::format("{} has a leading zero; it must be {} without one", key, allowed),
+                  {key, isShown(node), fmt::format("{} without a leading zero", allowed),
+                   "remove the zero: some programs read such a number as octal"});
+}
+template <>
+void refuseLeadingZero<int>(const YAML::Node& node, const std::string& key, const char* allowed) {
+  refuseLeadingZero<double>(node, key, allowed);
+}
+
 template <class Value>
 Value convert(const YAML::Node& node, const std::string& key, const char* allowed) {
+  refuseLeadingZero<Value>(node, key, allowed);
   Value value{};
   if (!node.IsScalar() || !decode(node, value)) {
     throw YamlFault(node.Mark(), fmt::format("{} is {}; it must be {}", key, kindOf(node), allowed),
@@ -141,9 +162,8 @@ Given toGiven(const YAML::Node& node) {
   int whole = 0;
   double real = 0;
   if (node.Tag() != "?") return {node.Scalar()};
-  // 010 would be 8, so it is the number 10, and none for who wants a whole one.
-  const bool octal = node.Scalar().size() > 1 && node.Scalar().front() == '0';
-  if (!octal && decode(node, whole)) return {whole};
+  // So it is the number 10, and none for who wants a whole one.
+  if (!hasLeadingZero(node) && decode(node, whole)) return {whole};
   if (decode(node, real)) return {real};
   if (decode(node, flag)) return {flag};
   return {node.Scalar()};

@@ -90,12 +90,16 @@ struct FileFault {
 [[nodiscard]] FileFault faultOf(const std::string& name, const YamlFault& fault);
 [[nodiscard]] FileFault faultOf(const std::string& name, const YAML::Exception& fault);
 
+/// The one document of the text. Throws a YamlFault if there is another one, which YAML::Load() ignores.
+/// YAML::LoadAll() does not end if a document starts with a comma.
+[[nodiscard]] YAML::Node documentIn(const std::string& text);
+
 /// Parses the document and converts it with `read`.
 template <class Value>
 [[nodiscard]] Result<Value, FileFault> tryYaml(const std::string& text, const std::string& name,
                                                const std::function<Value(const YAML::Node&)>& read) {
   try {
-    return read(YAML::Load(text));
+    return read(documentIn(text));
   } catch (const YamlFault& fault) {
     return refuse(faultOf(name, fault));
   } catch (const YAML::Exception& fault) {

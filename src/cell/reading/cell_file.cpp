@@ -165,7 +165,7 @@ Result<Cell, std::vector<Fault>> parseCell(const std::string& text, const std::s
   if (faults.isEmpty()) {
     faults.collect("", [&] {
       const YamlMap file(
-          documentIn(text), "the file",
+          files::documentIn(text), "the file",
           {"cell", "parameters", "robots", "stations", "programs", "parts", "obstacles", "mechanisms"});
       cell = CellReading(file, faults, read_and_keep).read();
     });

@@ -1,41 +1,13 @@
 #include "reading/document.h"
 
 #include <algorithm>
-#include <sstream>
 #include <string_view>
 
 #include <fmt/format.h>
-#include <yaml-cpp/anchor.h>
-#include <yaml-cpp/emitterstyle.h>
-#include <yaml-cpp/eventhandler.h>
 
 #include "cobot_command/common/foreign_text.h"
 
 namespace cobot_command::cell {
-
-namespace {
-
-/// Notes where a document begins, and passes over what stands in it.
-class DocumentStart : public YAML::EventHandler {
- public:
-  void OnDocumentStart(const YAML::Mark& mark) override { mark_ = mark; }
-  void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
-  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                       YAML::EmitterStyle::value) override {}
-  void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
-  }
-  void OnMapEnd() override {}
-  [[nodiscard]] const YAML::Mark& mark() const { return mark_; }
-
- private:
-  YAML::Mark mark_;
-};
-
-}  // namespace
 
 void checkText(const std::string& text, FaultList& faults) {
   if (text.size() > kMostBytes) {
@@ -58,17 +30,6 @@ void checkText(const std::string& text, FaultList& faults) {
     }
     begin = end + 1;
   }
-}
-
-YAML::Node documentIn(const std::string& text) {
-  std::istringstream stream(text);
-  YAML::Parser parser(stream);
-  DocumentStart start;
-  if (parser.HandleNextDocument(start) && parser.HandleNextDocument(start)) {
-    refuseAt(start.mark(), {"", "has a second document", "one document, without --- inside",
-                            "remove the line with --- or ..."});
-  }
-  return YAML::Load(text);
 }
 
 }  // namespace cobot_command::cell

@@ -14,8 +14,4 @@ inline constexpr std::size_t kMostBytes = 1 << 20;
 /// Finds what no text editor writes into a file, and what YAML would drop without a word.
 void checkText(const std::string& text, FaultList& faults);
 
-/// The one document of the text; throws a YamlFault where there is another one. Not by YAML::LoadAll(), which
-/// never ends where a document begins with a comma.
-[[nodiscard]] YAML::Node documentIn(const std::string& text);
-
 }  // namespace cobot_command::cell

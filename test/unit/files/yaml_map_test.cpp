@@ -1,6 +1,7 @@
 #include "cobot_command/files/yaml_map.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -48,6 +49,32 @@ TEST(YamlMap, tellsWhatStandsInPlaceOfANumber) {
   for (const char* none : {".inf", "inf", "nan", ".nan", "1e999", "1,5", "0x"}) {
     EXPECT_EQ(faultIn(std::string("speed: \"") + none + "\"\n", number).finding.allowed, "a number") << none;
   }
+}
+
+/// To some programs 010 is 8.
+TEST(YamlMap, refusesANumberWithALeadingZero) {
+  const auto number = [](const YamlMap& map) { static_cast<void>(map.number("speed")); };
+  const auto whole = [](const YamlMap& map) { static_cast<void>(map.whole("speed")); };
+  for (const char* text : {"010", "060", "-01", "+07", "00", "030.5", "08"}) {
+    const std::string file = std::string("speed: ") + text + "\n";
+    EXPECT_EQ(faultIn(file, whole).what, "speed has a leading zero; it must be a whole number without one")
+        << text;
+    EXPECT_EQ(faultIn(file, number).what, "speed has a leading zero; it must be a number without one")
+        << text;
+  }
+  const std::vector<std::pair<const char*, int>> plain{{"0", 0}, {"-0", 0}, {"10", 10}, {"0x10", 16}};
+  for (const auto& [text, value] : plain) {
+    const auto is_so = [value = value](const YamlMap& map) { EXPECT_EQ(map.whole("speed"), value); };
+    EXPECT_EQ(faultIn(std::string("speed: ") + text + "\n", is_so).what, "") << text;
+  }
+  EXPECT_EQ(faultIn("speed: 0.5\n", [](const YamlMap& map) { EXPECT_EQ(map.number("speed"), 0.5); }).what,
+            "");
+}
+
+TEST(YamlMap, refusesASecondDocument) {
+  EXPECT_EQ(describe(faultIn("speed: 1\n---\nspeed: 2\n")),
+            "a.yaml:2: a second document begins here; the file must have one");
+  EXPECT_EQ(faultIn("---\nspeed: 1\n...\n").what, "");
 }
 
 TEST(YamlMap, readsWhatItsErrorsAreAbout) {
