@@ -20,6 +20,7 @@ from cobot_command.msg import CommandStatus, ConnectAction, ConnectGoal, JogActi
 RATE = 100  # [Hz] of the keep-alives
 LINK_TIMEOUT = 30.0  # [s]
 PATIENCE = 5.0  # [s]
+MOST_SECONDS = 60.0  # of a jog
 MODES = {"frame": JogGoal.FRAME, "tool": JogGoal.TOOL, "axes": JogGoal.AXES}
 
 
@@ -89,13 +90,20 @@ def run(options):
             wait_for_end(own_link, PATIENCE)
 
 
+def seconds(text):
+    value = float(text)
+    if not 0 <= value <= MOST_SECONDS:
+        raise argparse.ArgumentTypeError(f"{text} is outside 0 to {MOST_SECONDS}")
+    return value
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--mode", choices=sorted(MODES), default="axes")
     parser.add_argument("--direction", type=int, choices=[-6, -5, -4, -3, -2, -1, 1, 2, 3, 4, 5, 6], default=1,
                         help="1..6: X Y Z RX RY RZ, or J1..J6; negative: the opposite direction (default: %(default)s)")
     parser.add_argument("--speed", type=float, default=5.0, help="[%%] of the reference (default: %(default)s)")
-    parser.add_argument("--seconds", type=float, default=1.0, help="time for which the button is held (default: %(default)s)")
+    parser.add_argument("--seconds", type=seconds, default=1.0, help="time for which the button is held (default: %(default)s)")
     parser.add_argument("--mm", type=float, default=0.0, help="increment instead of a time")
     parser.add_argument("--deg", type=float, default=0.0, help="increment of a turn instead of a time")
     parser.add_argument("--frame", type=int, default=JogGoal.ACTIVE)

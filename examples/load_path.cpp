@@ -240,8 +240,6 @@ int portOf(const char* text) {
 
 Controller controllerOf(int argc, char** argv) {
   if (argc == 1) return simulatedController();
-  const bool is_usage = argc == 2 || argc == 4;
-  if (!is_usage) throw std::runtime_error("allowed are: load_path [HOST [SCRIPT_PORT STATUS_PORT]]");
   Controller controller;
   controller.host = argv[1];
   if (argc == 4) controller.ports = {portOf(argv[2]), portOf(argv[3])};
@@ -257,6 +255,13 @@ int main(int argc, char** argv) try {
     if (before == SIG_IGN) std::signal(signal, SIG_IGN);  // nohup ignores SIGHUP
   }
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // into a pipe, too, as it happens
+  const bool is_help = argc == 2 && (std::string(argv[1]) == "--help" || std::string(argv[1]) == "-h");
+  if (is_help || (argc != 1 && argc != 2 && argc != 4) || (argc > 1 && argv[1][0] == '-')) {
+    std::puts(
+        "usage: load_path [HOST [SCRIPT_PORT STATUS_PORT]]; it moves the robot. Without HOST: a simulated "
+        "one");
+    return is_help ? 0 : 2;
+  }
   const Controller controller = controllerOf(argc, argv);
   showPlan();
   drive(controller);

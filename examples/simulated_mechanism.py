@@ -2,6 +2,7 @@
 """Simulates the PLC of a mechanism of a cell: moves the mechanism to the `target` that `cell_mechanism` publishes, and publishes its
 `position` fifty times a second. Both are in m, or in rad if it rotates. Private parameters: ~start (m or rad), ~speed (m/s or rad/s).
 """
+import argparse
 import sys
 
 import rospy
@@ -11,6 +12,7 @@ PERIOD = 0.02  # [s]
 
 
 def main():
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args(rospy.myargv()[1:])
     rospy.init_node("simulated_mechanism")
     position = rospy.get_param("~start", 0.0)
     step = PERIOD * rospy.get_param("~speed", 0.25)

@@ -292,11 +292,22 @@ bool succeeds(Part part) {
   }
 }
 
+/// The tour has no options. Asking for help must not move the robot.
+int explain(const std::string& option) {
+  std::puts(
+      "tour: the actions, one after the other. It moves the robot and needs about 1 m of free space around "
+      "it.");
+  if (option == "--help" || option == "-h") return 0;
+  std::printf("tour takes no arguments; '%s' was given\n", option.c_str());
+  return 2;
+}
+
 }  // namespace
 
 // NOLINTNEXTLINE(bugprone-exception-escape): whatever is thrown here is a std::exception
 int main(int argc, char** argv) try {
   ros::init(argc, argv, "tour", ros::init_options::AnonymousName | ros::init_options::NoSigintHandler);
+  if (argc > 1) return explain(argv[1]);
   heedSignals();
   const ros::NodeHandle node;
   Link link;

@@ -6,6 +6,7 @@ Uses an existing link and leaves it open. Otherwise opens a link and closes it a
 Ctrl-C, SIGTERM and a closed terminal stop the robot. Exit status: 0 if all steps succeeded, 1 with the reason if not.
 The same in C++: tour.cpp.
 """
+import argparse
 import signal
 import sys
 
@@ -161,6 +162,8 @@ def interrupt(*_):
 
 
 def main():
+    # It has no options; --help explains it, and must not move the robot.
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args(rospy.myargv()[1:])
     # With its own signal handlers, rospy would shut down before the robot can be stopped.
     rospy.init_node("tour", anonymous=True, disable_signals=True)
     for number in END_SIGNALS:

@@ -2,7 +2,8 @@
 """Replays a recorded run, and prints the differences: each frame is decoded again, and what was sent is sent to a new simulator.
 No robot and no ROS master is needed; doc/flight-recorder.md says what is compared.
 
-Exit status: 0 when all is the same, 1 when something differs, 2 when the bag cannot be used."""
+Exit status: 0 when all is the same, 1 when something differs, 2 when the bag cannot be used, 3 when its output
+cannot be written."""
 import argparse
 import pathlib
 import sys

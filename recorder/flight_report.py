@@ -3,7 +3,7 @@
 was planned and how it went, and what replays in the decoder and in the simulator say. No robot and no ROS master is needed.
 
 Exit status: 0 when the recording is whole, the replays agree and the report was written; 1 when it was written and something is not as it
-should be; 2 when the bag cannot be used or the report not be written."""
+should be; 2 when the bag cannot be used or the report not be written; 3 when its output cannot be written."""
 import argparse
 import pathlib
 import sys

@@ -1,11 +1,12 @@
 """What the programs of the flight recorder share: their common options, where their helpers are, and how they end."""
+import os
 import pathlib
 import sys
 
 from flight import bag_reader, decoder_replay, simulator_replay
 from flight.run import RunError
 
-AGREES, DIFFERS, UNUSABLE = 0, 1, 2
+AGREES, DIFFERS, UNUSABLE, UNWRITTEN = 0, 1, 2, 3
 
 
 def add_options(parser):
@@ -57,9 +58,17 @@ def tell(verdicts):
 
 
 def ending(main, name):
-    """The exit status of main(), which may raise RunError."""
+    """The exit status of main(), which may raise RunError, and whose standard output may be closed or full."""
     try:
-        return main()
+        status = main()
+        sys.stdout.flush()
+        return status
     except RunError as reason:
         print(f"{name}: {reason}", file=sys.stderr)
         return UNUSABLE
+    except OSError as fault:
+        if fault.filename is not None:
+            raise
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # else Python tries again at its end
+        print(f"{name}: the output cannot be written: {fault.strerror}", file=sys.stderr)
+        return UNWRITTEN

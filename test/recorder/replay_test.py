@@ -140,9 +140,9 @@ class SimulatorReplay(BagTestCase):
 
 
 class Program(BagTestCase):
-    def run_it(self, *arguments):
+    def run_it(self, *arguments, stdout=subprocess.PIPE):
         return subprocess.run([sys.executable, SOURCES / "recorder/flight_replay.py", self.file, "--programs", self.programs(), *arguments],
-                              capture_output=True, text=True, timeout=60, check=False)
+                              stdout=stdout, stderr=subprocess.PIPE, text=True, timeout=60, check=False)
 
     def programs(self):
         folder = pathlib.Path(self.file).parent
@@ -164,6 +164,13 @@ class Program(BagTestCase):
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertRegex(done.stdout, r"0\.301 s  reply to script 1\n +recorded: TMSCT 1,ERROR;1\n +received: TMSCT 1,OK\n")
         self.assertNotIn("decoder", done.stdout)
+
+    def test_ends_with_3_when_its_output_cannot_be_written(self):
+        self.made(write_short_run)
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = self.run_it("--only", "decoder", stdout=full)
+        self.assertEqual((done.returncode, done.stderr),
+                         (3, "flight_replay.py: the output cannot be written: No space left on device\n"))
 
     def test_ends_with_2_when_the_bag_cannot_be_used(self):
         done = self.run_it()

@@ -7,8 +7,8 @@ import rosnode
 import rospy
 from actionlib_msgs.msg import GoalStatus
 
-from cobot_command.msg import CommandStatus, MoveRelativeActionResult
-from cobot_goals import line_to, relative, sequence
+from cobot_command.msg import CommandStatus, MoveRelativeActionResult, PathPoint
+from cobot_goals import cycle, line_to, path, path_to_joints, relative, script, sequence, step, to_joints, turn
 from own_nodes import Heard, Master, node
 from own_robot import FAR, PORTS, OwnRobotTestCase
 from waiting import wait_until
@@ -90,15 +90,26 @@ class AnEndThatIsAskedFor(EndsTestCase):
 
 
 class ANodeThatIsNotAsked(EndsTestCase):
-    def test_when_it_was_killed_the_next_one_stops_the_arm(self):
-        command_node = self.start_command_node()
-        self.go_home()
-        self.start_far()
-        command_node.end(signal.SIGKILL)
-        self.start_command_node()
-        self.robot.establish()
-        self.assert_stops_on_its_way()
-        self.assert_works()
+    def test_when_it_was_killed_the_arm_goes_on_and_the_next_one_stops_it(self):
+        corner = path_to_joints(FAR / 2, 0, 90, 0, 90, 0, speed=10, termination_type=PathPoint.BLEND, command_tolerance=20)
+        end = path_to_joints(FAR, 20, 90, 0, 90, 0, speed=10)
+        turns = [f'PTP("JPP",{angle},0,90,0,90,0,5,300,0,false)' for angle in (FAR / 2, FAR)]
+        for goal in (turn(FAR, 0, 0, 0, 0, 0, speed=5), path(corner, end), script(*turns, await_motion=True),
+                     cycle(step(to_joints(FAR, 0, 90, 0, 90, 0, speed=5)))):
+            with self.subTest(type(goal).__name__):
+                command_node = self.start_command_node()
+                self.go_home()
+                self.robot.send(goal).wait_until_active()
+                self.wait_until_it_moves()
+                command_node.end(signal.SIGKILL)
+                later = rospy.Time.now() + rospy.Duration(0.5)
+                self.robot.true_joints.wait_for(lambda m, later=later: m.header.stamp > later and max(map(abs, m.velocity)) > 0.02,
+                                                "the arm that goes on")
+                command_node = self.start_command_node()
+                self.robot.establish()
+                self.assert_stops_on_its_way()
+                self.assert_works()
+                command_node.end(signal.SIGTERM)
 
     def test_when_it_was_held_up_for_long_every_goal_has_one_end_and_the_link_recovers(self):
         command_node = self.start_command_node()

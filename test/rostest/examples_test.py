@@ -86,6 +86,15 @@ class Examples(MotionTestCase):
                 self.interrupt(command, signal.SIGINT)
                 self.assertEqual(self.robot.connect.state(), GoalStatus.ACTIVE)
 
+    def test_clients_that_are_asked_for_help_move_nothing(self):
+        before = self.robot.true_joints.message.position
+        for name in ("tour.py", "tour", "jog.py", "pick_and_place.py", "load_path.py", "interrupt.py"):
+            with self.subTest(name):
+                self.assertIn("usage" if name.endswith(".py") else "moves the robot", self.run_client(name, "--help", closed=False))
+                self.run_client(name, "--nonsense", exit_status=2, closed=False)
+        self.run_client("jog.py", "--seconds", "nan", exit_status=2, closed=False)
+        self.assertEqual(self.robot.true_joints.message.position, before)
+
     def test_clients_stop_the_robot_when_they_are_told_to_end(self):
         for command in CLIENTS:
             for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):

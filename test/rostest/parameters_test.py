@@ -118,6 +118,19 @@ class Parameters(unittest.TestCase):
             self.assertEqual(given[f"/{node}/safety_limits"], ["1=-90,90"])
         self.assertEqual(given["/simulated_controller/time_scale"], 1.0, "the argument rules")
 
+    def test_that_a_fleet_gives_to_each_of_its_robots(self):
+        arguments = {"tf_from_start": True, "auto_connect": True, "time_scale": 2.0, "robot_model": "tm12"}
+        done = subprocess.run(["roslaunch", "--dump-params", "cobot_command", "fleet.launch", "count:=3",
+                               *(f"{name}:={value}" for name, value in arguments.items())],
+                              capture_output=True, text=True, timeout=DEADLINE, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        given = yaml.safe_load(done.stdout)
+        for robot in ("robot_1", "robot_2", "robot_3"):
+            self.assertEqual(given[f"/{robot}/command_node/tf_from_start"], True)
+            self.assertEqual(given[f"/{robot}/command_node/auto_connect"], True)
+            self.assertEqual(given[f"/{robot}/simulated_controller/time_scale"], 2.0)
+            self.assertEqual(given[f"/{robot}/simulated_controller/robot_model"], "tm12")
+
     def test_that_are_misspelt_are_named_and_the_node_goes_on(self):
         process = start("simulated_controller_node", {"robot_model": "tm5-900", "project_sped": 50, **FREE_PORTS})
         try:

@@ -310,9 +310,9 @@ const char* JogRun::withoutLink() const {
   if (drive_->means() == JogMeans::Moves) {
     return "; the part of the jog at the controller ends within 0.2 s";
   }
-  return plan_->of_joints
-             ? "; the controller keeps its velocity: the robot continues to move until it is stopped there"
-             : "; without a velocity the controller stops the arm within 0.5 s";
+  return plan_->of_joints ? "; if only the link failed, the controller keeps its velocity: the robot moves "
+                            "until it is stopped there"
+                          : "; without a velocity the controller stops the arm within 0.5 s";
 }
 
 /// The first one is the reason; what follows is of it.

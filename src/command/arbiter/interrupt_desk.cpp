@@ -19,8 +19,11 @@ InterruptAnswer refusal(int error_id, std::string message) {
   return {false, error_id, std::move(message)};
 }
 
+/// In the words of a block that is refused for the same reasons.
 InterruptAnswer toAnswer(const blocks::Failure& failure) {
-  return refusal(failure.error_id, failure.found.empty() ? "see doc/errors.md" : failure.found);
+  const auto outcome =
+      blocks::toOutcome(blocks::kBlock<blocks::ReturnToPrimaryGoal>, blocks::Ending::Rejected, failure);
+  return refusal(failure.error_id, outcome.error_description + ". " + outcome.remedy);
 }
 
 }  // namespace

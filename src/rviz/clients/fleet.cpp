@@ -1,6 +1,8 @@
 #include "clients/fleet.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 #include "clients/action_command.h"
 #include <cobot_command/StopAction.h>
@@ -55,18 +57,21 @@ void Fleet::look() {
 std::string Fleet::told() const {
   int asked = 0;
   int done = 0;
-  std::string faults;
+  std::map<std::string, std::string> not_stopped;  // names by what is known of them
   for (const auto& [name, robot] : robots_) {
     const CommandState& state = robot->stop.state();
     if (state.phase == CommandState::Phase::Idle) continue;
     ++asked;
     if (state.phase == CommandState::Phase::Done) ++done;
-    if (failed(state)) {
-      faults += fmt::format("; {}: {}", name, state.unanswered ? state.text : state.description);
-    }
+    if (!failed(state)) continue;
+    std::string& names =
+        not_stopped[state.unanswered ? "use the emergency stop: " + state.text : state.description];
+    names += (names.empty() ? "" : ", ") + name;
   }
   if (asked == 0) return "";
-  return fmt::format("{} of {} robots stopped{}", done, asked, faults);
+  std::string text = fmt::format("{} of {} robots stopped", done, asked);
+  for (const auto& [why, names] : not_stopped) text += fmt::format("; {}: {}", names, why);
+  return text;
 }
 
 bool Fleet::isBusy() const {

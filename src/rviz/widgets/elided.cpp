@@ -4,6 +4,7 @@
 #include <QStyle>
 #include <QStyleOptionButton>
 #include <QStylePainter>
+#include <QTextLayout>
 #include <algorithm>
 
 namespace cobot_command::rviz_plugin {
@@ -17,9 +18,25 @@ int widthOf(const QWidget& widget, const QString& text) {
   return std::min(metrics.horizontalAdvance(text), kFewest * metrics.averageCharWidth());
 }
 
+/// The last line ends with an ellipsis if the text is longer.
+QStringList linesOf(const QWidget& widget, const QString& text, int most, int width) {
+  QTextLayout layout(text, widget.font());
+  QStringList lines;
+  layout.beginLayout();
+  for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+    line.setLineWidth(width);
+    const bool is_last = lines.size() + 1 == most;
+    lines += is_last ? widget.fontMetrics().elidedText(text.mid(line.textStart()), Qt::ElideRight, width)
+                     : text.mid(line.textStart(), line.textLength());
+    if (is_last) break;
+  }
+  layout.endLayout();
+  return lines;
+}
+
 }  // namespace
 
-ElidedLabel::ElidedLabel(const char* name, QWidget* parent) : QLabel(parent) {
+ElidedLabel::ElidedLabel(const char* name, int lines) : lines_(lines) {
   setObjectName(name);
   setTextFormat(Qt::PlainText);
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -31,14 +48,18 @@ void ElidedLabel::show(const QString& text) {
 }
 
 QSize ElidedLabel::minimumSizeHint() const {
-  return {widthOf(*this, text()), fontMetrics().height() + 2};
+  return {widthOf(*this, text()), lines_ * fontMetrics().lineSpacing() + 2};
 }
 
 void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
-  const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width());
-  style()->drawItemText(&painter, contentsRect(), static_cast<int>(alignment()), palette(), isEnabled(),
-                        shown, foregroundRole());
+  QRect line = contentsRect();
+  line.setHeight(line.height() / lines_);
+  for (const QString& shown : linesOf(*this, text(), lines_, line.width())) {
+    style()->drawItemText(&painter, line, static_cast<int>(alignment()), palette(), isEnabled(), shown,
+                          foregroundRole());
+    line.translate(0, line.height());
+  }
 }
 
 QSize ElidedButton::minimumSizeHint() const {

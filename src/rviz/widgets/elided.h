@@ -1,5 +1,5 @@
-// Texts that come from outside, in one line: as much as there is room for, so that none of them makes the
-// panel wider. All of it is in the tooltip.
+// Texts that come from outside, in one line or a few: as much as there is room for, so that none of them
+// makes the panel wider. All of it is in the tooltip.
 #pragma once
 
 #include <QLabel>
@@ -9,7 +9,7 @@ namespace cobot_command::rviz_plugin {
 
 class ElidedLabel : public QLabel {
  public:
-  explicit ElidedLabel(const char* name, QWidget* parent = nullptr);
+  explicit ElidedLabel(const char* name, int lines = 1);
 
   /// Text and tooltip.
   void show(const QString& text);
@@ -19,6 +19,9 @@ class ElidedLabel : public QLabel {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+
+ private:
+  int lines_;
 };
 
 /// Both ends of its text can be read.

@@ -11,6 +11,7 @@ namespace cobot_command::rviz_plugin {
 namespace {
 
 constexpr int kHeight = 44;
+constexpr int kStopLines = 3;     // who has not stopped, and what to do, has to fit
 constexpr int kLooksAtDone = 50;  // so long it is said that something was done
 constexpr const char* kRed = "background: #c0392b; color: white; font-weight: bold; font-size: %1pt;";
 
@@ -31,7 +32,7 @@ StopBar::StopBar(Fleet& fleet, QWidget* parent)
       fleet_(fleet),
       stop_(button<ElidedButton>("STOP", "stop", QString(kRed).arg(14))),
       stop_all_(button<QPushButton>("STOP ALL", "stop_all", QString(kRed).arg(10))),
-      stop_line_{new ElidedLabel("stop_text")},
+      stop_line_{new ElidedLabel("stop_text", kStopLines)},
       control_line_{new ElidedLabel("control_text")} {
   auto* pause = button<QPushButton>("Pause", "pause", "");
   auto* resume = button<QPushButton>("Resume", "resume", "");
@@ -99,7 +100,7 @@ void StopBar::tell(Line& line, const QString& what, const QString& done, const C
   const QString found = QString::fromStdString(state.description);
   QString words;
   if (state.phase == Phase::Busy) words = QString::fromStdString(state.text);
-  if (state.unanswered) words += ". Use the emergency stop.";
+  if (state.unanswered) words.prepend("Use the emergency stop: ");
   if (state.phase == Phase::Done) words = found.isEmpty() ? done : found;
   if (state.phase == Phase::Aborted) words = found.isEmpty() ? QString("aborted") : "aborted: " + found;
   if (state.phase == Phase::Error) {

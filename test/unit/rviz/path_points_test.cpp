@@ -1,9 +1,8 @@
 #include "goals/path_points.h"
 
-#include <cstdio>
-#include <fstream>
 #include <string>
 
+#include "own_folder.h"
 #include <gmock/gmock.h>
 
 namespace cobot_command::rviz_plugin {
@@ -11,18 +10,22 @@ namespace {
 
 using ::testing::Eq;
 
-std::string fileWith(const std::string& text) {
-  const std::string name = ::testing::TempDir() + "path_points_test.yaml";
-  std::ofstream(name) << text;
-  return name;
-}
+class PathPoints : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string fileWith(const std::string& text) const {
+    return folder_.file("path.yaml", text);
+  }
 
-TEST(PathPoints, areCountedInAFile) {
+ private:
+  ros_adapter::OwnFolder folder_;
+};
+
+TEST_F(PathPoints, areCountedInAFile) {
   EXPECT_THAT(countPoints(fileWith("points:\n  - {move_id: 1}\n  - {move_id: 2}\n")), Eq(2));
   EXPECT_THAT(countPoints(fileWith("points: []\n")), Eq(0));
 }
 
-TEST(PathPoints, areNotKnownWhereThereIsNoPath) {
+TEST_F(PathPoints, areNotKnownWhereThereIsNoPath) {
   EXPECT_THAT(countPoints(fileWith("points: many\n")), Eq(std::nullopt));
   EXPECT_THAT(countPoints(fileWith("[1, 2]\n")), Eq(std::nullopt));
   EXPECT_THAT(countPoints(fileWith("{\n")), Eq(std::nullopt));
