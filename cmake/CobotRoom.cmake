@@ -19,10 +19,12 @@ if(COBOT_SANITIZE)
     add_compile_options(-fvisibility-inlines-hidden)
   endif()
 endif()
-# For the rooms of the core alone. Nodes, tests and what ROS generates are compiled as always, in half of the time; programs
-# are linked with the sanitizers. RViz loads the panel into a process without them, so the rooms that the panel uses are
-# made a second time, as cobot_<name>_plain.
+# For the rooms of the core alone, in a build without ROS. Tests are compiled without it, in half of the time; programs are
+# linked with the sanitizers.
 if(COBOT_WATCH)
+  if(NOT COBOT_CORE_ONLY)
+    message(FATAL_ERROR "COBOT_WATCH is for COBOT_CORE_ONLY; for everything there is COBOT_SANITIZE")
+  endif()
   set(cobot_watched_definition COBOT_WATCHED)  # for tests
   set(watched -fsanitize=${COBOT_WATCH} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(cobot_warnings INTERFACE "$<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:-fsanitize=${COBOT_WATCH}>")
@@ -55,28 +57,36 @@ if(COBOT_PRECOMPILE)
   endif()
 endif()
 
-# cobot_add_room(<name> SOURCES <file>... [ALONE <file>...] [USES <target>...] [PRIVATELY_USES <target>...] [FOR_NODES]
-#                [UNWATCHED] [IN_RVIZ | ONLY_IN_RVIZ])
+# cobot_add_room(<name> SOURCES <file>... [ALONE <file>...] [USES <target>...] [PRIVATELY_USES <target>...] [FOR_NODES] [UNWATCHED])
 # Makes the library cobot_<name>, known to the others, and to other projects, as cobot_command::<name>. FOR_NODES: to ours
 # only, as it is nothing but a part of the nodes. UNWATCHED: COBOT_WATCH does not instrument it, because its geometry would
-# calculate for minutes then, and a simulated controller would answer too late. IN_RVIZ: RViz loads it, as nodes do;
-# ONLY_IN_RVIZ: nobody else does.
+# calculate for minutes then.
 function(cobot_add_room name)
-  cmake_parse_arguments(ROOM "FOR_NODES;UNWATCHED;IN_RVIZ;ONLY_IN_RVIZ" "" "SOURCES;ALONE;USES;PRIVATELY_USES" ${ARGN})
+  cmake_parse_arguments(ROOM "FOR_NODES;UNWATCHED" "" "SOURCES;ALONE;USES;PRIVATELY_USES" ${ARGN})
   set(headers cobot_room_headers)
   set(is_watched FALSE)
   if(COBOT_WATCH AND NOT ROOM_FOR_NODES AND NOT ROOM_UNWATCHED)
     set(headers cobot_watched_headers)
     set(is_watched TRUE)
   endif()
-  if(COBOT_WATCH AND ROOM_ONLY_IN_RVIZ)
-    cobot_plain(ROOM_USES)
-    cobot_plain(ROOM_PRIVATELY_USES)
+  add_library(cobot_${name} ${ROOM_SOURCES})
+  target_compile_features(cobot_${name} PUBLIC cxx_std_17)
+  target_include_directories(
+    cobot_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+  target_link_libraries(
+    cobot_${name}
+    PUBLIC ${ROOM_USES}
+    PRIVATE ${ROOM_PRIVATELY_USES})
+  target_compile_options(cobot_${name} PRIVATE $<TARGET_PROPERTY:cobot_warnings,INTERFACE_COMPILE_OPTIONS>)
+  cobot_use_unity(cobot_${name} ALONE ${ROOM_ALONE})
+  if(fmt::fmt IN_LIST ROOM_PRIVATELY_USES)
+    cobot_use_precompiled(cobot_${name} ${headers})
   endif()
-  cobot_make_room(cobot_${name} ${headers})
   add_library(cobot_command::${name} ALIAS cobot_${name})
   if(is_watched)
     target_compile_options(cobot_${name} PRIVATE ${watched})
+    # Else the copies of inline functions that a test has without instrumentation take the place of the library's own.
+    target_link_options(cobot_${name} PRIVATE -Wl,-Bsymbolic-functions)
   endif()
   set_target_properties(cobot_${name} PROPERTIES EXPORT_NAME ${name} INSTALL_RPATH $ORIGIN)
   if(ROOM_FOR_NODES)
@@ -84,47 +94,6 @@ function(cobot_add_room name)
   else()
     set_property(GLOBAL APPEND PROPERTY COBOT_EXPORTED_LIBRARIES cobot_${name})
   endif()
-  if(COBOT_WATCH AND ROOM_IN_RVIZ)
-    cobot_plain(ROOM_USES)
-    cobot_plain(ROOM_PRIVATELY_USES)
-    cobot_make_room(cobot_${name}_plain cobot_room_headers)
-    # What the room's own list adds.
-    target_include_directories(cobot_${name}_plain PRIVATE $<TARGET_PROPERTY:cobot_${name},INCLUDE_DIRECTORIES>)
-    target_include_directories(cobot_${name}_plain SYSTEM
-                               PUBLIC $<TARGET_PROPERTY:cobot_${name},INTERFACE_SYSTEM_INCLUDE_DIRECTORIES>)
-    add_dependencies(cobot_${name}_plain cobot_${name})
-  endif()
-endfunction()
-
-# The library itself, of the ROOM_... of cobot_add_room.
-function(cobot_make_room target headers)
-  add_library(${target} ${ROOM_SOURCES})
-  target_compile_features(${target} PUBLIC cxx_std_17)
-  target_include_directories(
-    ${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
-  target_link_libraries(
-    ${target}
-    PUBLIC ${ROOM_USES}
-    PRIVATE ${ROOM_PRIVATELY_USES})
-  target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:cobot_warnings,INTERFACE_COMPILE_OPTIONS>)
-  cobot_use_unity(${target} ALONE ${ROOM_ALONE})
-  if(fmt::fmt IN_LIST ROOM_PRIVATELY_USES)
-    cobot_use_precompiled(${target} ${headers})
-  endif()
-endfunction()
-
-# Puts the libraries without sanitizers in the place of those that have some.
-function(cobot_plain list)
-  set(plain)
-  foreach(used IN LISTS ${list})
-    string(REGEX REPLACE "^cobot_command::" "cobot_" target "${used}")
-    if(TARGET ${target}_plain)
-      list(APPEND plain ${target}_plain)
-    else()
-      list(APPEND plain ${used})
-    endif()
-  endforeach()
-  set(${list} ${plain} PARENT_SCOPE)
 endfunction()
 
 # cobot_add_program(<name> SOURCES <file>... USES <target>...)
@@ -140,9 +109,8 @@ endfunction()
 set(PYTHON_FOR_TESTS /usr/bin/python3)
 set(COBOT_TEST_OPTIONS "" CACHE STRING "Compiler options of the test programs, behind those of everything")
 
-# cobot_add_test(<name> SOURCES <file>... [ALONE <file>...] [PROPERTIES <file>...] USES <target>... [TIMEOUT <seconds>] [SHARDS <number>] [EACH])
-# Makes one GoogleTest program. Its tests run in one process, <name>.all for CTest, or in as many processes as there are
-# shards, <name>.1of3 and so on; EACH: each test in a process of its own, for those that change their process.
+# cobot_add_test(<name> SOURCES <file>... [ALONE <file>...] [PROPERTIES <file>...] USES <target>... [TIMEOUT <seconds>])
+# Makes one GoogleTest program. Its tests run in one process, <name>.all for CTest.
 # test/support/run_gtest.py runs them, and reports each test by its name, <name>.<Suite>.<test>. A test may take 120 s or
 # the time that is given, and with a sanitizer five times as long. PROPERTIES: sources that need RapidCheck, and are left
 # out if it is missing; other sources may ask for COBOT_HAS_RAPIDCHECK.
@@ -153,7 +121,7 @@ if(COBOT_BUILD_TESTS AND NOT rapidcheck_FOUND)
   message(STATUS "Tests of properties are left out: librapidcheck-dev is missing")
 endif()
 function(cobot_add_test name)
-  cmake_parse_arguments(TEST "EACH" "TIMEOUT;SHARDS" "SOURCES;ALONE;PROPERTIES;USES" ${ARGN})
+  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;ALONE;PROPERTIES;USES" ${ARGN})
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 120)
   endif()
@@ -178,22 +146,9 @@ function(cobot_add_test name)
     set_target_properties(test_${name} PROPERTIES EXCLUDE_FROM_ALL TRUE)
     return()
   endif()
-  set(each)
-  if(TEST_EACH)
-    set(each --each)
-  endif()
-  if(NOT TEST_SHARDS)
-    set(TEST_SHARDS 1)
-  endif()
-  foreach(shard RANGE 1 ${TEST_SHARDS})
-    set(entry ${name}.${shard}of${TEST_SHARDS})
-    if(TEST_SHARDS EQUAL 1)
-      set(entry ${name}.all)
-    endif()
-    add_test(NAME ${entry}
-             COMMAND ${PYTHON_FOR_TESTS} ${PROJECT_SOURCE_DIR}/test/support/run_gtest.py --shard ${shard}/${TEST_SHARDS} ${each}
-                     --timeout ${TEST_TIMEOUT} --report ${CMAKE_BINARY_DIR}/reports/${entry}.xml ${name} $<TARGET_FILE:test_${name}>)
-    # The runner watches over each test; this is for all of them.
-    set_tests_properties(${entry} PROPERTIES TIMEOUT 3000 SKIP_RETURN_CODE 77 LABELS gtest)
-  endforeach()
+  add_test(NAME ${name}.all
+           COMMAND ${PYTHON_FOR_TESTS} ${PROJECT_SOURCE_DIR}/test/support/run_gtest.py --timeout ${TEST_TIMEOUT} --report
+                   ${CMAKE_BINARY_DIR}/reports/${name}.all.xml ${name} $<TARGET_FILE:test_${name}>)
+  # The runner watches over each test; this is for all of them.
+  set_tests_properties(${name}.all PROPERTIES TIMEOUT 3000 SKIP_RETURN_CODE 77)
 endfunction()

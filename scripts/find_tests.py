@@ -14,6 +14,7 @@ import subprocess
 import sys
 
 RUNNER = "run_gtest.py"
+PATIENCE = 60  # [s]
 
 
 def matches(test, pattern, regex):
@@ -21,9 +22,13 @@ def matches(test, pattern, regex):
     runner = next((number for number, word in enumerate(command) if word.endswith(RUNNER)), None)
     if runner is None:
         return regex.search(test["name"]) is not None
-    listing = subprocess.run([*command[:runner + 1], "--list", *command[runner + 1:]], env=dict(os.environ, COBOT_TEST_PATTERN=pattern),
-                             capture_output=True, text=True, check=False)
-    return bool(listing.stdout.strip())
+    try:
+        listing = subprocess.run([*command[:runner + 1], "--list", *command[runner + 1:]], env=dict(os.environ, COBOT_TEST_PATTERN=pattern),
+                                 capture_output=True, text=True, check=False, timeout=PATIENCE)
+    except subprocess.TimeoutExpired:
+        return True
+    # A program that cannot tell its tests, because it was not built, may have one of this name: CTest reports it then.
+    return listing.returncode != 0 or bool(listing.stdout.strip())
 
 
 def main():

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Prints what took longest in a run of scripts/test (its phases, compiled files and tests), and as the last lines its verdict.
 
-print_summary.py --outcome STATUS PHASES BUILD_FOLDER [REPORT...]
+print_summary.py --outcome STATUS [--failed-phase DESCRIPTION]... PHASES BUILD_FOLDER [REPORT...]
 
-STATUS is the exit status of the run. PHASES has a line for each phase: its start time [s since 1970], a tab, its description. A REPORT is
+STATUS is the exit status of the run. A failed phase is one after which the run continued. PHASES has a line for each phase: its start time [s since 1970], a tab, its description. A REPORT is
 a JUnit file of ctest. The folder beside it has the reports of the GoogleTest programs (test/support/run_gtest.py)."""
 import argparse
 import pathlib
@@ -35,8 +35,11 @@ class Case:
     def __init__(self, element):
         self.name = element.get("name")
         self.seconds = float(element.get("time", 0))
-        self.failed = element.find("failure") is not None or element.get("status") == "fail"
-        self.skipped = element.find("skipped") is not None or element.get("status") in ("notrun", "disabled")
+        skipped = element.find("skipped")
+        # CTest writes both what skipped itself and what it could not start as "notrun".
+        is_missing = element.get("status") == "notrun" and (skipped is None or not skipped.get("message", "").startswith("SKIP_"))
+        self.failed = element.find("failure") is not None or element.get("status") == "fail" or is_missing
+        self.skipped = not self.failed and (skipped is not None or element.get("status") == "disabled")
 
 
 def cases_of(report):
@@ -64,11 +67,12 @@ def show(title, rows):
         print(f"{seconds:8.1f} s  {what}")
 
 
-def verdict(tests, outcome, last_phase):
+def verdict(tests, outcome, failed_phases, last_phase):
     failed = [test.name for test in tests if test.failed]
-    skipped = [test.name for test in tests if test.skipped and not test.failed]
+    skipped = [test.name for test in tests if test.skipped]
     lines = [f"  skipped: {name}" for name in skipped] + [f"  failed: {name}" for name in failed]
-    if outcome != 0 and not failed:
+    lines += [f"  failed phase: {phase}" for phase in failed_phases]
+    if outcome != 0 and not failed_phases:
         lines.append(f"  ended with {outcome} in the phase: {last_phase}")
     return [*lines, f"{len(tests) - len(failed) - len(skipped)} passed, {len(failed)} failed, {len(skipped)} skipped"]
 
@@ -76,6 +80,7 @@ def verdict(tests, outcome, last_phase):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--outcome", type=int, required=True)
+    parser.add_argument("--failed-phase", action="append", default=[])
     parser.add_argument("phases")
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("reports", nargs="*")
@@ -91,7 +96,7 @@ def main():
     show("Compiled", steps_of(given.build, now - taken))
     show("Tests", [(test.seconds, test.name) for test in tests])
     print("\n== Verdict")
-    print("\n".join(verdict(tests, given.outcome, phases[-1][1] if phases else "none")))
+    print("\n".join(verdict(tests, given.outcome, given.failed_phase, phases[-1][1] if phases else "none")))
 
 
 if __name__ == "__main__":

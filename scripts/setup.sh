@@ -3,6 +3,8 @@
 set -euo pipefail
 readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 readonly build=${COBOT_BUILD_DIR:-$root/build}
+# It chooses tests; the shell may have it from an earlier command.
+unset COBOT_TEST_PATTERN
 
 say() { printf '\n== %s\n' "$*"; }
 

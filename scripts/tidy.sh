@@ -22,6 +22,7 @@ tidy() {
 tidy_all() {
   local sources
   mapfile -t sources < <(cd "$root" && git ls-files 'src/*.cpp' 'test/*.cpp' 'examples/*.cpp')
+  [ ${#sources[@]} -gt 0 ] || { echo "this is no clone of the repository: git lists no sources" >&2; return 1; }
   (cd "$root" && tidy "${sources[@]}")
 }
 

@@ -3,7 +3,9 @@
 
 phases=$(mktemp)
 readonly phases
+trap 'rm -f "$phases"' EXIT
 reports=()
+failed_phases=()
 
 # phases <number of phases that are announced>
 phases() {
@@ -18,9 +20,14 @@ phase() {
   printf '%s\t%s\n' "$(date +%s.%N)" "$*" >>"$phases"
 }
 
+# failed: the present phase has failed; the script continues.
+failed() {
+  failed_phases+=(--failed-phase "$(tail -n 1 "$phases" | cut -f 2)")
+}
+
 # new_report <build folder>: sets report, the JUnit file for ctest to write. Reports of an earlier run of the script are removed.
 new_report() {
-  [[ " ${reports[*]} " = *" $1/"* ]] || rm -rf "$1/reports" "$1"/report-*.xml
+  [[ " ${reports[*]} " = *" $1/report-"* ]] || rm -rf "$1/reports" "$1"/report-*.xml
   report=$1/report-$((${#reports[@]} + 1)).xml
   reports+=("$report")
 }
@@ -28,7 +35,7 @@ new_report() {
 # Run it at the end, whatever the outcome.
 print_summary() {
   local outcome=$?
-  /usr/bin/python3 "$root/scripts/print_summary.py" --outcome "$outcome" "$phases" "$build" "${reports[@]}" || true
+  /usr/bin/python3 "$root/scripts/print_summary.py" --outcome "$outcome" "${failed_phases[@]}" "$phases" "$build" "${reports[@]}" || true
   rm -f "$phases"
   return $outcome
 }

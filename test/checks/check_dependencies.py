@@ -9,7 +9,8 @@ import xml.etree.ElementTree as ElementTree
 
 KEYS = pathlib.Path(__file__).with_name("rosdep_keys.txt")
 # A program of ROS that README.md runs, and the package that has it.
-PROGRAMS = {"roslaunch": "roslaunch", "rostopic": "rostopic", "rosservice": "rosservice", "rosmsg": "rosmsg", "axclient.py": "actionlib_tools"}
+PROGRAMS = {"roslaunch": "roslaunch", "rostopic": "rostopic", "rosservice": "rosservice", "rosmsg": "rosmsg", "rosrun": "rosbash",
+            "rosnode": "rosnode", "axclient.py": "actionlib_tools"}
 
 
 def known_keys(text):

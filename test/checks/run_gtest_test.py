@@ -2,12 +2,12 @@
 """run_gtest.py reports each test of a program, whatever its tests do to the process."""
 import os
 import pathlib
-import re
 import stat
 import subprocess
 import sys
 import tempfile
 import textwrap
+import time
 import unittest
 import xml.etree.ElementTree as ElementTree
 
@@ -86,17 +86,56 @@ class RunGtest(unittest.TestCase):
     def test_fails_when_a_process_ends_badly_after_its_tests(self):
         status, output = self.run_it(pattern="passes", END="leaks")
         self.assertEqual(status, 1)
-        self.assertIn("The process ended with 23 after its tests:\na leak", output)
+        self.assertIn("The process ended with 23, and no test of it had failed:\na leak", output)
 
-    def test_gives_each_test_a_process_of_its_own_when_told(self):
-        self.program.write_text(PROGRAM.replace('"       OK "', '"  FAILED  "'), encoding="utf-8")
-        output = self.run_it("--each", pattern="passes")[1]
-        self.assertEqual(len(set(re.findall(r"in (\d+)", output))), 2)
+    def test_reads_the_end_of_a_test_with_a_parameter(self):
+        for where in (", where GetParam() = 5", ", where GetParam() = (1, 2)", ", where GetParam() = 'a\\nb'", ", where TypeParam = int"):
+            with self.subTest(where):
+                ends = PROGRAM.replace('" (5 ms)"', f'"{where}" + " (5 ms)"').replace('"       OK "', '"  FAILED  " if name == "passes" else "       OK "')
+                self.program.write_text(ends, encoding="utf-8")
+                status, output = self.run_it(pattern="passes")
+                self.assertEqual((status, self.faults()), (1, {"room.Suite.passes": "it failed"}), output)
+                self.assertEqual(output.count("words of passes in"), 1, "it is not tried again")
 
-    def test_runs_a_part_of_the_tests(self):
-        for part, expected in (("1/2", {"room.Suite.passes", "room.Suite.skips"}), ("2/2", {"room.Suite.fails", "room.Suite.passes/0"})):
-            self.run_it("--shard", part, pattern="passes|skips|fails")
-            self.assertEqual(set(self.cases), expected)
+    def test_fails_when_a_process_ends_badly_between_two_tests(self):
+        self.program.write_text(PROGRAM.replace("    if name == \"crashes\":", "    if name == \"skips\":\n        pass\n    if name == \"crashes\":")
+                                .replace('" (5 ms)", flush=True)', '" (5 ms)", flush=True)\n    if name == "passes" and "END" in os.environ:\n        os.abort()'),
+                                encoding="utf-8")
+        status, output = self.run_it(pattern="passes|skips", END="between")
+        self.assertEqual((status, self.faults()), (1, {}), output)
+        self.assertIn("The process ended with -6", output)
+        self.assertEqual(len(self.cases), 3)
+
+    def test_fails_when_a_process_does_not_end_after_its_tests(self):
+        self.program.write_text(PROGRAM.replace("    sys.exit(23)", "    time.sleep(60)"), encoding="utf-8")
+        status, output = self.run_it(pattern="passes", END="leaks")
+        self.assertEqual((status, self.faults(), len(self.cases)), (1, {}, 2), output)
+        self.assertIn("The process took longer than 1.0 s", output)
+        self.assertIn("a leak", output)
+
+    def test_does_not_wait_for_what_a_program_has_left_behind(self):
+        self.program.write_text(PROGRAM.replace("    sys.exit(23)", "    if os.fork() == 0:\n        time.sleep(60)"), encoding="utf-8")
+        self.assertEqual(self.run_it(pattern="passes", END="leaks")[0], 0)
+
+    def test_fails_for_a_test_whose_end_is_not_printed(self):
+        self.program.write_text(PROGRAM.replace('    print("[" + verdict', '    if name != "passes": print("[" + verdict'), encoding="utf-8")
+        status, output = self.run_it(pattern="passes|skips")
+        self.assertEqual((status, self.faults()["room.Suite.passes"]), (1, "another test began before its end"), output)
+
+    def test_fails_for_a_program_without_tests(self):
+        self.program.write_text(PROGRAM.replace("for name in names]", "for name in []]"), encoding="utf-8")
+        self.assertEqual(self.run_it()[0], 1)
+
+    def test_ends_the_program_when_it_is_ended(self):
+        with subprocess.Popen([sys.executable, RUNNER, "room", self.program], env=dict(os.environ, COBOT_TEST_PATTERN="hangs"),
+                              stdout=subprocess.PIPE) as runner:
+            children = pathlib.Path(f"/proc/{runner.pid}/task/{runner.pid}/children")
+            deadline = time.monotonic() + 60
+            while not children.read_text() and time.monotonic() < deadline:
+                time.sleep(0.05)
+            runner.terminate()
+            runner.communicate(timeout=60)
+        self.assertEqual(runner.returncode, 1)
 
     def test_says_when_no_test_matches(self):
         self.assertEqual(self.run_it(pattern="nothing of this name")[0], 77)

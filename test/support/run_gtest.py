@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 """Runs a GoogleTest program in one process, and reports each of its tests by its name.
 
-run_gtest.py [--shard I/N] [--each] [--timeout SECONDS] [--report FILE] NAME PROGRAM
+run_gtest.py [--timeout SECONDS] [--report FILE] [--list] NAME PROGRAM
 
 A test that crashes, or takes longer than the timeout, fails alone: the tests after it run in a new process. What a test prints is shown if it
-fails. COBOT_TEST_PATTERN in the environment is a regular expression: only tests whose name, NAME.Suite.test, contains it are run.
---shard: the I-th of N parts of the tests (I from 1). --each: a process for each test, for those that change their process.
---report: a JUnit file. --list: only prints the names.
+fails. --report: a JUnit file. --list: only prints the names.
+COBOT_TEST_PATTERN in the environment is a regular expression: only tests whose name, NAME.Suite.test, contains it are run.
+COBOT_TEST_SHUFFLE is a number, 1 to 99999: the tests run in the random order with this seed.
 Exit status: 0 all passed, 1 some failed, 77 no test matches."""
 import argparse
+import contextlib
 import json
 import os
 import re
@@ -21,6 +22,8 @@ import time
 import xml.etree.ElementTree as ElementTree
 
 NONE_MATCHES = 77
+FAILED = "it failed"
+POLL = 0.5  # [s]
 LINE = re.compile(r"\[ *(RUN|OK|FAILED|SKIPPED) *\] (\S+?\.\S+?)(?:,|$| \((\d+) ms\))")
 
 
@@ -61,7 +64,7 @@ class Run:
         self.tests = {name: Test(name) for name in names}
         self.end_fault = []  # of the process, after its tests
 
-    def all_in_one(self):
+    def run(self):
         left = list(self.tests)
         while left:
             self._process(left)
@@ -70,59 +73,74 @@ class Run:
             if not ran:
                 break
 
-    def each(self):
-        for name in list(self.tests):
-            self._process([name])
-
     def _process(self, names):
-        """Until the program ends, or one of its tests takes too long."""
+        """Until the program ends, or takes too long for a test or for its end."""
         with tempfile.NamedTemporaryFile("w", suffix=".flags") as flags:
-            flags.write(f"--gtest_filter={':'.join(names)}\n--gtest_color=no\n")
+            flags.write("\n".join([f"--gtest_filter={':'.join(names)}", "--gtest_color=no", *order()]) + "\n")
             flags.flush()
             with subprocess.Popen([self._program, f"--gtest_flagfile={flags.name}"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT, start_new_session=True) as process:
-                running, rest = self._follow(process)
-                is_late = process.poll() is None and running is not None
-                if is_late:
-                    os.killpg(process.pid, signal.SIGKILL)
+                try:
+                    running, rest, is_late = self._follow(process)
+                finally:  # what it has started, too
+                    with contextlib.suppress(ProcessLookupError):
+                        os.killpg(process.pid, signal.SIGKILL)
                 status = process.wait()
+        how = f"took longer than {self._timeout} s" if is_late else f"ended with {status}"
         if running is not None:
             running.seconds = time.monotonic() - running.begun
-            running.fault = f"took longer than {self._timeout} s" if is_late else f"its process ended with {status}"
-        elif status != 0 and all(not self.tests[name].fault for name in names):
-            self.end_fault += [f"The process ended with {status} after its tests:", *rest]
+            running.fault = how if is_late else "its process " + how
+        elif is_late or (status != 0 and not any(self.tests[name].fault == FAILED for name in names)):
+            self.end_fault += [f"The process {how}, and no test of it had failed:", *rest]
 
     def _follow(self, process):
-        """Returns the test that was running at the end, and what was printed since the last one."""
-        running, output, pending = None, [], b""
+        """Returns the test that was running at the end, what was printed since the last one, and whether it took too long."""
+        running, output, pending, since = None, [], b"", time.monotonic()
         selector = selectors.DefaultSelector()
         selector.register(process.stdout, selectors.EVENT_READ)
         while True:
-            patience = max(0.0, running.begun + self._timeout - time.monotonic()) if running else self._timeout
-            if not selector.select(patience):
-                return running or Test(""), output
+            if not selector.select(POLL):
+                has_ended = process.poll() is not None  # a process that it has started keeps the output open
+                is_late = time.monotonic() > (running.begun if running else since) + self._timeout
+                if has_ended or is_late:
+                    return running, output, is_late and not has_ended
+                continue
             chunk = os.read(process.stdout.fileno(), 1 << 16)
             if not chunk:
-                process.wait()
-                return running, output
+                return running, output, not ends(process, self._timeout)
             *lines, pending = (pending + chunk).split(b"\n")
             for line in (line.decode(errors="replace") for line in lines):
                 running, output = self._read(line, running, output)
+                since = time.monotonic()
 
     def _read(self, line, running, output):
         found = LINE.search(line)
         test = self.tests.get(found[2]) if found else None
         if test and found[1] == "RUN":
+            if running is not None:
+                running.fault = "another test began before its end"
             test.begun = time.monotonic()
             test.output = output = [line]
             return test, output
         output.append(line)
-        if test and test is running and found[3] is not None:
-            test.seconds = int(found[3]) / 1000
-            test.fault = "it failed" if found[1] == "FAILED" else ""
+        # The value of a parameter, with any characters, can be between the name and the time.
+        if test and test is running:
+            test.seconds = int(found[3]) / 1000 if found[3] else time.monotonic() - test.begun
+            test.fault = FAILED if found[1] == "FAILED" else ""
             test.is_skipped = found[1] == "SKIPPED"
             return None, []
         return running, output
+
+
+def order():
+    seed = os.environ.get("COBOT_TEST_SHUFFLE", "")
+    return ["--gtest_shuffle", f"--gtest_random_seed={seed}"] if seed else []
+
+
+def ends(process, patience):
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        process.wait(patience)
+    return process.poll() is not None
 
 
 def report(file, name, tests):
@@ -155,8 +173,6 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("name")
     parser.add_argument("program")
-    parser.add_argument("--shard", default="1/1")
-    parser.add_argument("--each", action="store_true")
     parser.add_argument("--timeout", type=float, default=120.0)
     parser.add_argument("--report")
     parser.add_argument("--list", action="store_true")
@@ -165,24 +181,23 @@ def arguments():
 
 def main():
     given = arguments()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # ends the program, too
     try:
         all_names = list_tests(given.program)
     except RuntimeError as error:
         print(error)
         return 1
-    part, parts = (int(number) for number in given.shard.split("/"))
-    pattern = re.compile(os.environ.get("COBOT_TEST_PATTERN", ""))
-    names = [name for name in all_names if pattern.search(f"{given.name}.{name}")][part - 1::parts]
+    pattern = os.environ.get("COBOT_TEST_PATTERN", "")
+    names = [name for name in all_names if re.search(pattern, f"{given.name}.{name}")]
     if given.list:
         print("\n".join(f"{given.name}.{name}" for name in names))
         return 0
     if not names:
-        return NONE_MATCHES
+        if not pattern:
+            print(f"{given.program} has no tests")
+        return NONE_MATCHES if pattern else 1
     run = Run(given.program, names, given.timeout)
-    if given.each:
-        run.each()
-    else:
-        run.all_in_one()
+    run.run()
     if given.report:
         report(given.report, given.name, list(run.tests.values()))
     show(given.name, run)
