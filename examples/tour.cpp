@@ -6,10 +6,12 @@
 // Ctrl-C, SIGTERM and a closed terminal stop the robot. Exit status: 0 if all steps succeeded, 1 with the
 // reason if not. The same in Python: tour.py.
 
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include <actionlib/client/simple_action_client.h>
@@ -292,6 +294,16 @@ bool succeeds(Part part) {
   }
 }
 
+/// Waits for the ROS master. A node handle would wait as well, but heeds no signal.
+bool hasMaster() {
+  while (!ros::master::check()) {
+    if (interrupted != 0) return false;
+    std::printf("waiting for the ROS master at %s\n", ros::master::getURI().c_str());
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+  }
+  return true;
+}
+
 /// The tour has no options. Asking for help must not move the robot.
 int explain(const std::string& option) {
   std::puts(
@@ -309,6 +321,7 @@ int main(int argc, char** argv) try {
   ros::init(argc, argv, "tour", ros::init_options::AnonymousName | ros::init_options::NoSigintHandler);
   if (argc > 1) return explain(argv[1]);
   heedSignals();
+  if (!hasMaster()) return 1;
   const ros::NodeHandle node;
   Link link;
   const bool is_over = succeeds([] {

@@ -1,6 +1,13 @@
 # Shared by the scripts of this folder: prints the current step, installs missing packages, builds. Source it.
 
 set -euo pipefail
+# Every script explains itself by the comment at its beginning.
+case ${1:-} in
+  -h | --help)
+    sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"
+    exit 0
+    ;;
+esac
 readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 readonly build=${COBOT_BUILD_DIR:-$root/build}
 # It chooses tests; the shell may have it from an earlier command.

@@ -22,7 +22,7 @@ CommandCore::Impl::Impl(std::optional<arm::ArmModel> arm, const link::LinkSettin
     : settings_(settings),
       links_(settings_, actions_, std::move(ports.traced)),
       tags_(settings_.first_tag),
-      messages_(robot_, actions_),
+      messages_(arm ? arm->name() : std::string(), robot_, actions_),
       tables_(arm ? tables::payloadOf(*arm) : tables::Payload(), actions_),
       paths_(speed_, actions_),
       board_(actions_),

@@ -1,11 +1,14 @@
 #include "messages/message_desk.h"
 
+#include <cctype>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cobot_command/blocks/shared/error_ids.h"
 #include "cobot_command/command/waiting_goals.h"
+#include "cobot_command/common/foreign_text.h"
 #include "cobot_command/link/stream_items.h"
 
 namespace cobot_command::command {
@@ -14,6 +17,7 @@ namespace {
 constexpr const char* kRobot = "robot";
 constexpr const char* kQueue = "queue";
 constexpr const char* kStatusStream = "status_stream";
+constexpr const char* kArm = "robot_model";
 
 Message emergencyStop() {
   return {0,
@@ -58,6 +62,30 @@ Message itemsMissing(const std::vector<link::StreamItem>& missing) {
           kStatusStream,
           fmt::format("the status stream does not have {}", describe(missing)),
           link::remedyForMissingItems()};
+}
+
+/// "TM5-900" for "tm5-900", "TM5X-900" and "TM5M-900": without camera, or with another supply, the arm is the
+/// same.
+std::string kinematicsOf(const std::string& model) {
+  std::string name;
+  for (const char letter : model) {
+    const auto capital = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+    const bool is_variant = name.size() > 2 && (capital == 'X' || capital == 'M');
+    if (!is_variant) name += capital;
+  }
+  return name;
+}
+
+Message anotherArm(const std::string& controller, const std::string& own) {
+  return {0,
+          {},
+          Severity::Warning,
+          MessageType::Interface,
+          0,
+          kArm,
+          fmt::format("the controller moves a {}, but this node plans for a {}: poses are reached elsewhere",
+                      foreignText(controller, kQuoteLimit), own),
+          "stop, set ~robot_model to the model of the arm, and restart the node"};
 }
 
 }  // namespace
@@ -118,6 +146,7 @@ void MessageDesk::take(const RobotStatusReceived& received) {
   const link::RobotStatus& status = received.status;
   show(status.emergency_stop.value_or(false), emergencyStop());
   tellMissingItems(status);
+  tellAnotherArm(status);
   if (!status.error.value_or(false)) return;
   raise({0,
          {},
@@ -136,6 +165,13 @@ void MessageDesk::tellMissingItems(const link::RobotStatus& status) {
   } else {
     show(true, itemsMissing(missing));
   }
+}
+
+void MessageDesk::tellAnotherArm(const link::RobotStatus& status) {
+  const std::string controller = status.identity.robot_model.value_or("");
+  const bool is_another =
+      !controller.empty() && !arm_.empty() && kinematicsOf(controller) != kinematicsOf(arm_);
+  show(is_another, anotherArm(controller, arm_));
 }
 
 void MessageDesk::raise(Message message, bool lasts) {

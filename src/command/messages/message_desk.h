@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "messages/message_board.h"
@@ -15,9 +17,9 @@ namespace cobot_command::command {
 
 class MessageDesk {
  public:
-  /// Both have to live longer.
-  MessageDesk(const robot::RobotWatch& robot, std::vector<Action>& actions)
-      : robot_(robot), actions_(actions) {}
+  /// The references must live longer. `arm`: name of the arm model, "tm5-900"; empty: none.
+  MessageDesk(std::string arm, const robot::RobotWatch& robot, std::vector<Action>& actions)
+      : arm_(std::move(arm)), robot_(robot), actions_(actions) {}
 
   /// To be called behind each event: what was told since the last look, and what the robot shows.
   void look(Instant now);
@@ -57,9 +59,11 @@ class MessageDesk {
   template <class Other>
   void take(const Other& /*action*/) {}
   void tellMissingItems(const link::RobotStatus& status);
+  void tellAnotherArm(const link::RobotStatus& status);
   void raise(Message message, bool lasts = false);
   void tellPending();
 
+  std::string arm_;
   const robot::RobotWatch& robot_;
   std::vector<Action>& actions_;
   std::size_t looked_at_ = 0;

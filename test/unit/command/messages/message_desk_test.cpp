@@ -50,6 +50,32 @@ TEST_F(Messages, tellOnceWhatTheStatusStreamShouldHaveAndUntilItHas) {
   EXPECT_TRUE(rig.pending_messages.empty());
 }
 
+/// With another model every pose is reached elsewhere, and every motion succeeds.
+TEST(MessagesOfAnArm, warnWhileTheControllerMovesAnotherOne) {
+  CoreRig rig(*arm::ArmModel::named("tm5-900"), link::LinkSettings());
+  rig.connect();
+  const auto show = [&rig](const char* model) {
+    rig.status(StatusFrames().whole().with(protocol::item::ofString("Robot_Model", model)));
+  };
+  for (const char* same : {"TM5-900", "TM5X-900", "TM5M-900", "tm5-900"}) {
+    show(same);
+    EXPECT_TRUE(rig.pending_messages.empty()) << same;
+  }
+  rig.messages.clear();
+  for (int i = 0; i < 3; ++i) show("TM12");
+  ASSERT_EQ(rig.messages.size(), 1U);
+  EXPECT_EQ(rig.messages[0].severity, Severity::Warning);
+  EXPECT_THAT(rig.messages[0].text, HasSubstr("moves a TM12, but this node plans for a tm5-900"));
+  EXPECT_THAT(rig.messages[0].remedy, HasSubstr("~robot_model"));
+  EXPECT_EQ(rig.pending_messages.size(), 1U);
+  for (const char* other : {"TM5-700", "TM12S", "TM14"}) {
+    show(other);
+    EXPECT_EQ(rig.pending_messages.size(), 1U) << other;
+  }
+  show("TM5-900");
+  EXPECT_TRUE(rig.pending_messages.empty());
+}
+
 TEST_F(Messages, tellOfAScriptThatTheControllerTakesWithAWarning) {
   RunScriptGoal script;
   script.script = "var_i++\r\nvar_j++";
