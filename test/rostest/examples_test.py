@@ -87,7 +87,7 @@ class Examples(MotionTestCase):
                 self.assertEqual(self.robot.connect.state(), GoalStatus.ACTIVE)
 
     def test_clients_that_are_asked_for_help_move_nothing(self):
-        before = self.robot.true_joints.message.position
+        before = self.robot.true_joints.wait_for(lambda m: max(abs(v) for v in m.velocity) < 1e-9, "standstill").position
         for name in ("tour.py", "tour", "jog.py", "pick_and_place.py", "load_path.py", "interrupt.py"):
             with self.subTest(name):
                 self.assertIn("usage" if name.endswith(".py") else "moves the robot", self.run_client(name, "--help", closed=False))
