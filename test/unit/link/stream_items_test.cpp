@@ -49,11 +49,11 @@ std::vector<std::string> namesOfTable(bool by_choice) {
 }
 
 TEST(StreamItems, thatEveryDataTableShouldHaveAreTheListOfThePage) {
-  EXPECT_EQ(namesInPage("tick at least", "Beside these"), namesOfTable(false));
+  EXPECT_EQ(namesInPage("tick at least", "In addition to these"), namesOfTable(false));
 }
 
 TEST(StreamItems, thatThePageLeavesToChoiceAreInTheTable) {
-  const auto names = namesInPage("Beside these", "Run the project");
+  const auto names = namesInPage("In addition to these", "Run the project");
   EXPECT_FALSE(names.empty());
   EXPECT_THAT(names, IsSubsetOf(namesOfTable(true)));
 }
