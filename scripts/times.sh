@@ -20,8 +20,8 @@ phase() {
   printf '%s\t%s\n' "$(date +%s.%N)" "$*" >>"$phases"
 }
 
-# failed: the present phase has failed; the script continues.
-failed() {
+# phase_failed: the present phase has failed; the script continues.
+phase_failed() {
   failed_phases+=(--failed-phase "$(tail -n 1 "$phases" | cut -f 2)")
 }
 
