@@ -4,6 +4,7 @@
 #include <locale>
 #include <map>
 #include <sstream>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -42,23 +43,18 @@ bool hasLeadingZero(const YAML::Node& node) {
   const std::size_t first = text.find_first_not_of("+-");
   return first + 1 < text.size() && text[first] == '0' && text[first + 1] >= '0' && text[first + 1] <= '9';
 }
-template <class Value>
-void refuseLeadingZero(const YAML::Node& /*node*/, const std::string& /*key*/, const char* /*allowed*/) {}
-template <>
-void refuseLeadingZero<double>(const YAML::Node& node, const std::string& key, const char* allowed) {
+void refuseLeadingZero(const YAML::Node& node, const std::string& key, const char* allowed) {
   if (!node.IsScalar() || !hasLeadingZero(node)) return;
   throw YamlFault(node.Mark(), fmt::format("{} has a leading zero; it must be {} without one", key, allowed),
                   {key, isShown(node), fmt::format("{} without a leading zero", allowed),
                    "remove the zero: some programs read such a number as octal"});
 }
-template <>
-void refuseLeadingZero<int>(const YAML::Node& node, const std::string& key, const char* allowed) {
-  refuseLeadingZero<double>(node, key, allowed);
-}
 
 template <class Value>
 Value convert(const YAML::Node& node, const std::string& key, const char* allowed) {
-  refuseLeadingZero<Value>(node, key, allowed);
+  if constexpr (std::is_same_v<Value, int> || std::is_same_v<Value, double>) {
+    refuseLeadingZero(node, key, allowed);
+  }
   Value value{};
   if (!node.IsScalar() || !decode(node, value)) {
     throw YamlFault(node.Mark(), fmt::format("{} is {}; it must be {}", key, kindOf(node), allowed),

@@ -169,9 +169,11 @@ void MessageDesk::tellMissingItems(const link::RobotStatus& status) {
 
 void MessageDesk::tellAnotherArm(const link::RobotStatus& status) {
   const std::string controller = status.identity.robot_model.value_or("");
-  const bool is_another =
-      !controller.empty() && !arm_.empty() && kinematicsOf(controller) != kinematicsOf(arm_);
-  show(is_another, anotherArm(controller, arm_));
+  if (controller.empty() || arm_.empty() || kinematicsOf(controller) == kinematicsOf(arm_)) {
+    board_.end(kArm, 0);
+  } else {
+    show(true, anotherArm(controller, arm_));
+  }
 }
 
 void MessageDesk::raise(Message message, bool lasts) {
