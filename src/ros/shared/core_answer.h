@@ -17,16 +17,18 @@ inline constexpr std::chrono::milliseconds kCorePatience(500);
 inline constexpr const char* kCoreClosed = "the command layer is shutting down";
 inline constexpr const char* kCoreBusy = "the command layer is busy and has not answered yet: call again";
 
-/// Nothing: it has not come, and `why` says why not. `busy`: in place of what is told of one that takes too
-/// long.
+/// Nothing: it has not arrived, and `why` gives the reason: `busy` if it takes longer than `patience`,
+/// `closed` if there will be none.
 template <class Answer>
 [[nodiscard]] std::optional<Answer> answerOf(std::optional<std::future<Answer>> asked, std::string& why,
-                                             const char* busy = kCoreBusy) {
+                                             const char* busy = kCoreBusy,
+                                             std::chrono::milliseconds patience = kCorePatience,
+                                             const char* closed = kCoreClosed) {
   try {
-    if (asked && asked->wait_for(kCorePatience) == std::future_status::ready) return asked->get();
-    why = asked ? busy : kCoreClosed;
+    if (asked && asked->wait_for(patience) == std::future_status::ready) return asked->get();
+    why = asked ? busy : closed;
   } catch (const std::future_error&) {  // it was closed before it came to it
-    why = kCoreClosed;
+    why = closed;
   }
   return std::nullopt;
 }

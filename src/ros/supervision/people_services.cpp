@@ -1,8 +1,10 @@
 #include "supervision/people_services.h"
 
 #include <chrono>
+#include <string>
 #include <utility>
 
+#include "shared/core_answer.h"
 #include <boost/function.hpp>
 #include <ros/console.h>
 
@@ -13,6 +15,10 @@ namespace {
 
 /// A disk that is busy answers sooner.
 constexpr std::chrono::seconds kAnsweredWithin(10);
+constexpr const char* kDiskBusy =
+    "the disk of the journal has not answered for 10 s: the request is done when it does, and the state "
+    "shows it";
+constexpr const char* kSupervisorClosed = "the supervisor is shutting down";
 constexpr const char* kStopped = "all robots are being stopped; they keep their zones";
 
 }  // namespace
@@ -74,16 +80,10 @@ void PeopleServices::serve(OwnHandle& node, const char* name, Ask ask) {
 }
 
 cell::PersonsAnswer PeopleServices::answerTo(Question question) const {
-  auto asked = ports_.ask(std::move(question));
-  try {
-    if (asked && asked->wait_for(kAnsweredWithin) == std::future_status::ready) return asked->get();
-  } catch (const std::future_error&) {  // the node ended before it was asked
-    asked.reset();
-  }
-  return {false,
-          asked ? "the disk of the journal has not answered for 10 s: the request is done when it does, and "
-                  "the state shows it"
-                : "the supervisor is shutting down"};
+  std::string why;
+  const auto answer =
+      answerOf(ports_.ask(std::move(question)), why, kDiskBusy, kAnsweredWithin, kSupervisorClosed);
+  return answer.value_or(cell::PersonsAnswer{false, why});
 }
 
 }  // namespace cobot_command::ros_adapter

@@ -85,7 +85,7 @@ void SupervisorNode::servePeople(const ros::NodeHandle& node) {
     const auto ask = [this, answer, question = std::move(question)](cell::Supervision& core) {
       const Instant now = steadyNow();
       answer->set_value(question(core, now));
-      decide(core, now);
+      onNode([this, decided = decided(core, now)] { take(decided); });
     };
     if (!supervisor_->postUrgent(ask)) asked.reset();
     return asked;
@@ -97,9 +97,9 @@ void SupervisorNode::onNode(std::function<void()> what) {
   post(*ros::getGlobalCallbackQueue(), std::move(what), this);
 }
 
-void SupervisorNode::decide(cell::Supervision& core, Instant now) {
+SupervisorNode::Decided SupervisorNode::decided(cell::Supervision& core, Instant now) {
   core.tick(now);
-  onNode([this, decided = Decided{core.status(now), core.counts()}] { take(decided); });
+  return {core.status(now), core.counts()};
 }
 
 void SupervisorNode::takeReport(const ReportEvent& event) {
@@ -108,19 +108,23 @@ void SupervisorNode::takeReport(const ReportEvent& event) {
                      publisher = event.getPublisherName()](cell::Supervision& core) {
     const Instant now = steadyNow();
     const bool is_taken = core.take(toReport(*message), now);
-    const cell::CellStatus status = core.status(now);
-    for (std::size_t robot = 0; is_taken && robot < status.robots.size(); ++robot) {
-      const cell::RobotStatus& known = status.robots[robot];
-      // A second node for the same robot is not whom stops and goals are sent to.
-      const bool is_its_own = known.session == 0 || known.session == message->session;
-      if (known.name != message->robot || !is_its_own) continue;
-      onNode([this, robot, publisher, moving = message->moving != 0] {
-        contacts_[robot]->heardFrom(publisher, moving, steadyNow());
-      });
-    }
-    decide(core, now);
-    onNode([this, received] { diagnostics_->answered(steadyNow() - received); });
+    onNode([this, received, message, publisher, is_taken, decided = decided(core, now)] {
+      if (is_taken) hearFrom(decided.status, *message, publisher);
+      take(decided);
+      diagnostics_->answered(steadyNow() - received);
+    });
   });
+}
+
+void SupervisorNode::hearFrom(const cell::CellStatus& status, const cobot_command::CellReport& report,
+                              const std::string& publisher) {
+  for (std::size_t robot = 0; robot < status.robots.size(); ++robot) {
+    const cell::RobotStatus& known = status.robots[robot];
+    // A second node for the same robot is not whom stops and goals are sent to.
+    const bool is_its_own = known.session == 0 || known.session == report.session;
+    if (known.name != report.robot || !is_its_own) continue;
+    contacts_[robot]->heardFrom(publisher, report.moving != 0, steadyNow());
+  }
 }
 
 void SupervisorNode::takeState(const StateEvent& event) {
@@ -150,8 +154,10 @@ void SupervisorNode::stopAll() {
     const Instant now = steadyNow();
     const cell::PersonsAnswer answer = core.stop(now);
     if (!answer.success) ROS_ERROR_STREAM("stop: " << forPeople(answer.message));
-    onNode([this] { --stops_asked_; });
-    decide(core, now);
+    onNode([this, decided = decided(core, now)] {
+      --stops_asked_;
+      take(decided);
+    });
   });
 }
 
@@ -165,8 +171,10 @@ void SupervisorNode::tick(Instant now) {
   for (const auto& contact : contacts_) contact->settle(now);
   if (std::exchange(is_tick_asked_, true)) return;
   supervisor_->post([this](cell::Supervision& core) {
-    onNode([this] { is_tick_asked_ = false; });
-    decide(core, steadyNow());
+    onNode([this, decided = decided(core, steadyNow())] {
+      is_tick_asked_ = false;
+      take(decided);
+    });
   });
 }
 

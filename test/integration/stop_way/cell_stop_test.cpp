@@ -1,4 +1,5 @@
 // A stop of a cell goes first, whatever the disk of the supervisor's journal does.
+#include <chrono>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -57,10 +58,14 @@ class CellStopWay : public ::testing::Test {
     reports.publish(toMessage(report));
   }
   void becomeKnown() {
-    while (stops.getNumPublishers() == 0) {
-      report();
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
+    const auto deadline = std::chrono::steady_clock::now() + testing::kDeadline;
+    const auto wait = [deadline](const auto& is_so) {
+      while (!is_so() && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+      return is_so();
+    };
+    ASSERT_TRUE(wait([this] { return reports.getNumSubscribers() > 0; }));
+    report();
+    ASSERT_TRUE(wait([this] { return stops.getNumPublishers() > 0; }));
   }
   template <class Service>
   [[nodiscard]] typename Service::Response call(const std::string& name, Service service) {

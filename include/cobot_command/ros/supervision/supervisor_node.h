@@ -59,6 +59,9 @@ class SupervisorNode {
 
   // --- On the thread of the node.
   void takeReport(const ReportEvent& event);
+  /// Stops and goals for the robot go to the node that sent its report.
+  void hearFrom(const cell::CellStatus& status, const cobot_command::CellReport& report,
+                const std::string& publisher);
   void takeState(const StateEvent& event);
   void takeDistances(const cobot_command::CellDistances& message);
   /// At once, and no run_cell begins until the core has decided it, too.
@@ -76,7 +79,8 @@ class SupervisorNode {
   void onNode(std::function<void()> what);
 
   // --- On the thread of the decisions.
-  void decide(cell::Supervision& core, Instant now);
+  /// What follows from the time, too.
+  [[nodiscard]] static Decided decided(cell::Supervision& core, Instant now);
 
   Receipts receipts_;
   NumberedQueue spinner_;
