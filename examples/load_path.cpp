@@ -230,12 +230,12 @@ void drive(const Controller& controller) {
               report.blends_lost.size());
 }
 
-/// 1 to 65535; throws on anything else.
+/// 1 to 65535; throws std::invalid_argument on anything else.
 int portOf(const char* text) {
   char* end = nullptr;
   const long port = std::strtol(text, &end, 10);
   if (end != text && *end == '\0' && port >= 1 && port <= 65535) return static_cast<int>(port);
-  throw std::runtime_error(std::string("'") + text + "' is not a port: 1 to 65535 is allowed");
+  throw std::invalid_argument(std::string("'") + text + "' is not a port: 1 to 65535 is allowed");
 }
 
 Controller controllerOf(int argc, char** argv) {
@@ -267,6 +267,9 @@ int main(int argc, char** argv) try {
   drive(controller);
   std::puts("The path is done");
   return 0;
+} catch (const std::invalid_argument& failure) {
+  std::puts(failure.what());
+  return 2;
 } catch (const std::exception& failure) {
   std::printf("The path ends here: %s\n", failure.what());
   return 1;

@@ -16,7 +16,7 @@ from page_examples import PACKAGE, check, examples_of, results_of_all_actions, s
 PAGE = (PACKAGE / "README.md").read_text(encoding="utf-8")
 LAUNCH = re.search(r"^roslaunch .*$", PAGE, re.M)[0]
 ON_FREE_PORTS = " rviz:=false script_port:=0 status_port:=0"
-STATUS = re.search(r"^rostopic echo -n1 .*# link_state: (\d)", PAGE, re.M)
+STATUS = re.search(r"^rostopic echo -n1 /command_status/link_state *# (\d)", PAGE, re.M)
 PYTHON = re.search(r"^```python\n(.*?)^```$", PAGE, re.M | re.S)[1]
 
 
@@ -43,7 +43,7 @@ class Readme(MotionTestCase):
                 check(self, self.robot, self.results, example, shells)
                 if number == 0:
                     shown = subprocess.run(["bash", "-c", STATUS[0]], capture_output=True, text=True, timeout=60, check=True)
-                    self.assertIn(f"link_state: {STATUS[1]}", shown.stdout)
+                    self.assertEqual(shown.stdout.split()[0], STATUS[1])
                     self.assertEqual(int(STATUS[1]), CommandStatus.READY)
         self.move_by_the_lines_of_python()
 

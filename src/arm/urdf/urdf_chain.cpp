@@ -21,13 +21,13 @@ constexpr double kMostAngle = 100;
 constexpr double kMostMass = 1000;
 constexpr double kMostDistance = 10;
 
-/// What is wrong with the k-th moving joint of the path, if anything.
+/// What is wrong with a moving joint that should have this name, if anything.
 std::optional<std::string> problemOf(const urdf::Joint& joint, const std::string& expected_name) {
+  const std::string name = quoted(joint.name);
   if (joint.name != expected_name) {
     return fmt::format("the joint {} is where {} is needed. The six joints of the arm are, from the base: {}",
-                       quoted(joint.name), quoted(expected_name), fmt::join(kJointNames, ", "));
+                       name, quoted(expected_name), fmt::join(kJointNames, ", "));
   }
-  const std::string name = quoted(joint.name);
   if (joint.type != urdf::Joint::REVOLUTE || !joint.limits) {
     return fmt::format(
         "the joint {} is not of type \"revolute\" with a <limit>. Set this type and add a <limit>", name);
@@ -56,8 +56,8 @@ std::optional<std::string> problemOf(const urdf::Link& link) {
   if (body.mass >= 0 && body.mass <= kMostMass && is_near) return std::nullopt;
   return fmt::format(
       "the link {} has {} kg at {}, {}, {} m, but must have 0 to {} kg, at most {} m from its origin. "
-      "Correct "
-      "its <inertial>",
+      "Correct its "
+      "<inertial>",
       quoted(link.name), body.mass, centre.x, centre.y, centre.z, kMostMass, kMostDistance);
 }
 
@@ -104,9 +104,13 @@ Result<UrdfChain, ModelError> readUrdfChain(const std::string& urdf) {
   std::size_t count = 0;
   for (const auto& joint : document->path) {
     if (joint->type != urdf::Joint::FIXED) {
-      const std::string expected =
-          count < kJointCount ? document->prefix + kJointNames[count] : "no further joint";
-      if (const auto problem = problemOf(*joint, expected)) {
+      if (count == kJointCount) {
+        return refuse(in(result.robot_name,
+                         fmt::format("the moving joint {} is behind the six of the arm. Make it fixed or "
+                                     "take it out",
+                                     quoted(joint->name))));
+      }
+      if (const auto problem = problemOf(*joint, document->prefix + kJointNames[count])) {
         return refuse(in(result.robot_name, *problem));
       }
       result.joint_names[count] = joint->name;

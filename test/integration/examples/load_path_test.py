@@ -35,11 +35,11 @@ class LoadPath(unittest.TestCase):
                 self.assertEqual(program.returncode, 1)
 
     def test_refuses_what_is_no_address(self):
-        for words, found in ((["a", "b"], "allowed are"), (["localhost", "0", "5891"], "'0' is not a port"),
+        for words, found in ((["a", "b"], "usage: load_path"), (["localhost", "0", "5891"], "'0' is not a port"),
                              (["localhost", "5890", "5891x"], "'5891x' is not a port"), (["localhost", "5890", "65536"], "1 to 65535")):
             with self.subTest(words=words):
                 done = run(*words)
-                self.assertEqual(done.returncode, 1)
+                self.assertEqual(done.returncode, 2)
                 self.assertIn(found, done.stdout)
 
 
