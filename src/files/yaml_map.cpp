@@ -111,7 +111,7 @@ FileFault faultAt(const std::string& name, const YAML::Mark& mark, const std::st
 
 std::string kindOf(const YAML::Node& node) {
   if (node.IsScalar()) return "something else";
-  return node.IsSequence() ? "a list" : node.IsMap() ? "a map" : "nothing";
+  return node.IsSequence() ? "a list" : node.IsMap() ? "a map" : "empty";
 }
 
 std::string isShown(const YAML::Node& node) {

@@ -41,7 +41,7 @@ int serve(int argc, char** argv) {
   }
   auto supervisor = cobot_command::runtime::CellSupervisor::open(parameters->files, parameters->policy);
   if (!supervisor) {
-    ROS_FATAL_STREAM("~artifact, ~journal, ~cell_file: " << cobot_command::forPeople(supervisor.error()));
+    ROS_FATAL_STREAM(cobot_command::forPeople(supervisor.error()));
     return 2;
   }
   const ros_adapter::SupervisorNode supervisor_node(node, self, std::move(*supervisor));

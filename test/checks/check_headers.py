@@ -2,9 +2,10 @@
 """Fails when a header of include/ is of no use to another room: it belongs into src/ then. Of use is what another room or
 a test other than the room's own unit tests includes, and what such a header includes in turn. The sub-rooms of SPLIT are
 rooms of their own here."""
-import pathlib
 import re
 import sys
+
+from project import project_root
 
 OWN = re.compile(r'#\s*include\s*"cobot_command/([a-z_]+)/((?:[a-z_]+/)*[a-z_0-9]+\.h)"')
 PUBLIC = "include/cobot_command"
@@ -49,7 +50,7 @@ def private_ones(root):
 
 
 def main():
-    wrong = private_ones(pathlib.Path(sys.argv[1]))
+    wrong = private_ones(project_root(sys.argv[1]))
     for header in wrong:
         print(f"{PUBLIC}/{header}: only its own room includes it, so it belongs into src/{header.split('/')[0]}/")
     return 1 if wrong else 0

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Fails when a room includes what it may not: a room above it, or ROS inside the core. Rooms: doc/architecture.md."""
-import pathlib
 import re
 import sys
+
+from project import project_root
 
 ALLOWED = {
     "common": set(),
@@ -217,7 +218,7 @@ def faults_of_wing(file, number, room, line):
 
 
 def main():
-    found = list(faults(pathlib.Path(sys.argv[1])))
+    found = list(faults(project_root(sys.argv[1])))
     print("\n".join(found) or "every room uses only the rooms below it, and the core is free of ROS")
     return 1 if found else 0
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Fails when two files of a namespace each define a type of one name: the linker takes either for both, and says nothing."""
-import pathlib
 import re
 import sys
+
+from project import project_root
 
 NAMESPACE = re.compile(r"namespace (cobot_command[\w:]*) \{")
 TYPE = re.compile(r"(?:struct|class|enum class) (?:\[\[\w+\]\] )?(\w+)(?: final)?(?: : [^;]*| \{[^;]*| \{.*\};)?$")
@@ -38,7 +39,7 @@ def faults(root):
 
 
 def main():
-    found = list(faults(pathlib.Path(sys.argv[1])))
+    found = list(faults(project_root(sys.argv[1])))
     print("\n".join(found) if found else "every type of a namespace has a name of its own")
     return 1 if found else 0
 

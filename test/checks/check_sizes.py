@@ -5,9 +5,10 @@ largest classes and fullest folders instead.
 Methods are the member functions that a class declares, public and private, static ones too; neither constructors, destructors and
 operators nor what is deleted or defaulted, nor those of a class within it, which is a class of its own."""
 import argparse
-import pathlib
 import re
 import sys
+
+from project import project_root
 
 MOST_METHODS = 35
 MOST_FILES = 20
@@ -103,7 +104,7 @@ def faults(root):
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__)
-    arguments.add_argument("root", type=pathlib.Path)
+    arguments.add_argument("root", type=project_root)
     arguments.add_argument("--largest", type=int, metavar="N")
     given = arguments.parse_args()
     if given.largest:

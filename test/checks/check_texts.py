@@ -9,9 +9,10 @@ passes through one of forPeople(), foreignText(), escaped() and quoted(). Names 
 do no harm.
 """
 
-import pathlib
 import re
 import sys
+
+from project import project_root
 
 # Folder -> what begins a statement with a text for people.
 LOG = r"\bROS_(?:DEBUG|INFO|WARN|ERROR|FATAL)(?:_STREAM)?(?:_NAMED|_THROTTLE|_ONCE)*\s*\("
@@ -98,4 +99,4 @@ def main(root):
 
 
 if __name__ == "__main__":
-    sys.exit(main(pathlib.Path(sys.argv[1])))
+    sys.exit(main(project_root(sys.argv[1])))

@@ -3,9 +3,10 @@
 
 check_words.py ROOT. CONTRIBUTING.md has the whole table of words; here are those that have no other use in these texts. Code, quoted names and
 the changelog are not checked."""
-import pathlib
 import re
 import sys
+
+from project import project_root
 
 # Word -> what to write.
 WORDS = {
@@ -64,7 +65,7 @@ def faults(root):
 
 
 def main():
-    found = list(faults(pathlib.Path(sys.argv[1])))
+    found = list(faults(project_root(sys.argv[1])))
     print("\n".join(found) or "no word that readers did not understand")
     return 1 if found else 0
 

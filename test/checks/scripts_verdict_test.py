@@ -48,6 +48,14 @@ class ArgumentsTest(unittest.TestCase):
         self.assert_refused("'dance' is not known. Allowed are: nothing (the pick-and-place), path, or cell NAME", "demo", "dance")
         self.assert_refused("'twice' is not an option of load_path.py", "demo", "path", "twice")
 
+    def test_soak_load_tidy_figures_and_coverage_take_what_their_usage_says(self):
+        self.assert_refused("usage: scripts/soak", "soak", "1", "10", "7", "more")
+        self.assert_refused("usage: scripts/load", "load", "10", "7", "more")
+        self.assert_refused("'src' is one argument too many", "tidy", "--changed", "src")
+        self.assert_refused("'--all' is unknown", "tidy", "--all")
+        self.assert_refused("usage: scripts/figures", "figures", "cell", "more")
+        self.assert_refused("a room is a folder of src/", "coverage", "nowhere")
+
     def test_plot_profiles_takes_one_folder(self):
         self.assert_refused("usage: scripts/plot_profiles [folder]", "plot_profiles", "here", "there")
 

@@ -56,14 +56,14 @@ Result<cell::ZoneOrders, std::string> turnsFor(const cell::Artifact& artifact, c
 Result<std::unique_ptr<CellSupervisor>, std::string> CellSupervisor::open(const SupervisorFiles& files,
                                                                           Deciding deciding) {
   auto artifact = readArtifact(files.artifact);
-  if (!artifact) return refuse(artifact.error().front());
-  if (auto fault = faultOf(*artifact, files)) return refuse(*std::move(fault));
+  if (!artifact) return refuse("artifact: " + artifact.error().front());
+  if (auto fault = faultOf(*artifact, files)) return refuse("artifact: " + *fault);
   auto rules = rulesOf(*artifact, policyOf(*artifact, deciding));
   if (!rules) return refuse(rules.error());
   auto turns = turnsFor(*artifact, rules->model(), deciding);
   if (!turns) return refuse("no schedule: " + turns.error());
   auto journal = JournalFile::open(files.journal);
-  if (!journal) return refuse(journal.error());
+  if (!journal) return refuse("journal: " + journal.error());
   return std::unique_ptr<CellSupervisor>(
       new CellSupervisor(*std::move(artifact), *std::move(rules), *std::move(turns), *std::move(journal)));
 }

@@ -266,7 +266,7 @@ TEST(CellFaults, ofAFileThatIsNamedAreOfThatFile) {
 }
 
 TEST(CellFaults, tellOfTextsThatAreNoCells) {
-  EXPECT_THAT(faultsOf(""), HasSubstr("cell.yaml: the file is nothing; allowed: a map"));
+  EXPECT_THAT(faultsOf(""), HasSubstr("cell.yaml: the file is empty; allowed: a map"));
   EXPECT_THAT(faultsOf("[]"), HasSubstr("the file is a list of 0"));
   EXPECT_THAT(faultsOf("cell: [1"), HasSubstr("not YAML"));
   EXPECT_THAT(faultsOf("cell: a\n---\ncell: b\n"), HasSubstr("the file has a second document"));

@@ -44,7 +44,7 @@ TEST(YamlMap, tellsWhatStandsInPlaceOfANumber) {
   const auto number = [](const YamlMap& map) { static_cast<void>(map.number("speed")); };
   EXPECT_EQ(faultIn("speed: fast\n", number).finding.found, "is \"fast\"");
   EXPECT_EQ(faultIn("speed: [1, 2]\n", number).finding.found, "is a list of 2");
-  EXPECT_EQ(faultIn("speed:\n", number).finding.found, "is nothing");
+  EXPECT_EQ(faultIn("speed:\n", number).finding.found, "is empty");
   EXPECT_EQ(faultIn("time: 1\n", number).finding.found, "is missing");
   for (const char* none : {".inf", "inf", "nan", ".nan", "1e999", "1,5", "0x"}) {
     EXPECT_EQ(faultIn(std::string("speed: \"") + none + "\"\n", number).finding.allowed, "a number") << none;
@@ -64,7 +64,7 @@ TEST(YamlMap, refusesANumberWithALeadingZero) {
   }
   const std::vector<std::pair<const char*, int>> plain{{"0", 0}, {"-0", 0}, {"10", 10}, {"0x10", 16}};
   for (const auto& [text, value] : plain) {
-    const auto is_so = [value = value](const YamlMap& map) { EXPECT_EQ(map.whole("speed"), value); };
+    const auto is_so = [expected = value](const YamlMap& map) { EXPECT_EQ(map.whole("speed"), expected); };
     EXPECT_EQ(faultIn(std::string("speed: ") + text + "\n", is_so).what, "") << text;
   }
   EXPECT_EQ(faultIn("speed: 0.5\n", [](const YamlMap& map) { EXPECT_EQ(map.number("speed"), 0.5); }).what,

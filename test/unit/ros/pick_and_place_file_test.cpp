@@ -153,7 +153,7 @@ TEST(PickAndPlaceFile, aValueOfTheWrongTypeIsAnError) {
   EXPECT_THAT(errorOf(fileWith("target_position: [1, 2, 3]")),
               HasSubstr("a list of 3; it must be a list of 6"));
   EXPECT_THAT(errorOf(fileWith("target_position: 7")), HasSubstr("target_position is something else"));
-  EXPECT_THAT(errorOf(fileWith("speed:")), HasSubstr("speed is nothing"));
+  EXPECT_THAT(errorOf(fileWith("speed:")), HasSubstr("speed is empty"));
   EXPECT_THAT(errorOf(fileWith("name: {}")), HasSubstr("name is a map"));
   EXPECT_THAT(errorOf("steps: 5\n"), HasSubstr("it must be a list"));
   EXPECT_THAT(errorOf("steps: [5]\n"), HasSubstr("a step is something else"));
@@ -169,7 +169,7 @@ TEST(PickAndPlaceFile, anEnumerationIsGivenByName) {
 
 TEST(PickAndPlaceFile, aTextThatIsNoYamlIsAnErrorWithItsLine) {
   EXPECT_THAT(errorOf("steps:\n  - [1, 2\n"), StartsWith("cell.yaml:"));
-  EXPECT_THAT(errorOf(""), HasSubstr("the file is nothing"));
+  EXPECT_THAT(errorOf(""), HasSubstr("the file is empty"));
   EXPECT_THAT(errorOf("\x01\x02\xff"), StartsWith("cell.yaml"));
 }
 
