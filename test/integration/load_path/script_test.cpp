@@ -101,7 +101,7 @@ TEST_F(LoadPathScript, isWhatAutoChoosesOnceTheControllerHasRefusedToEnterAPvt) 
 TEST_F(LoadPathScript, isNotChosenByAutoForWhatWasRefusedOnAnotherLink) {
   LoadPathGoal goal = turns(3, false);
   GoalId link{};
-  const auto executionBehind = [&](const std::function<void()>& end_link) {
+  const auto execution_after = [&](const std::function<void()>& end_link) {
     cell.operate(simulator::SetFault{"refuse_script", true, 1, 0, "1"});
     EXPECT_EQ(cell.endOf(cell.submit(goal)).error_id, motion_error::kRejected);
     end_link();
@@ -110,9 +110,9 @@ TEST_F(LoadPathScript, isNotChosenByAutoForWhatWasRefusedOnAnotherLink) {
     expectDone(id);
     return reportOf(id).execution;
   };
-  EXPECT_EQ(executionBehind([&] { cell.dropConnections(); }), Execution::Pvt)
+  EXPECT_EQ(execution_after([&] { cell.dropConnections(); }), Execution::Pvt)
       << "another controller may be there";
-  EXPECT_EQ(executionBehind([&] {
+  EXPECT_EQ(execution_after([&] {
               cell.cancel(link);
               cell.endOf(link);
             }),

@@ -125,17 +125,17 @@ TEST(CellFaults, tellWhatTheBlockOfAStepRefuses) {
 }
 
 TEST(CellFaults, adviseAFormatThatTheMovementTakes) {
-  const auto faultOf = [](const std::string& movement, const std::string& format) {
+  const auto fault_of = [](const std::string& movement, const std::string& format) {
     return faultsWith("movement_command: PTP, data_format: JPP",
                       "movement_command: " + movement + ", data_format: " + format);
   };
-  const std::string of_tool = faultOf("LINE", "TPP");
+  const std::string of_tool = fault_of("LINE", "TPP");
   EXPECT_THAT(of_tool, HasSubstr("data_format is TPP, which is relative to the tool"));
   EXPECT_THAT(of_tool, HasSubstr("add block: move_relative"));
   EXPECT_THAT(of_tool, Not(HasSubstr("write JPP")));
-  const std::string of_line = faultOf("LINE", "JPR");
+  const std::string of_line = fault_of("LINE", "JPR");
   EXPECT_THAT(of_line, HasSubstr("allowed: CPP, CPR, CAP, CAR; write CPR")) << "no JPP, which no line takes";
-  EXPECT_THAT(faultOf("PTP", "JPX"), HasSubstr("allowed: JPP, CPP; write JPP"));
+  EXPECT_THAT(fault_of("PTP", "JPX"), HasSubstr("allowed: JPP, CPP; write JPP"));
 }
 
 TEST(CellFaults, tellOfAPathThatDoesNotEndAtItsStation) {
