@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Prints the CTest entries, as a regular expression, that contain tests whose name matches.
 
-find_tests.py BUILD_FOLDER REGEX
+find_tests.py BUILD_FOLDER REGEX [ENTRIES]
+
+ENTRIES is a regular expression: other entries are not considered.
 
 An entry matches by its own name, or, if it is a GoogleTest program (test/support/run_gtest.py), by the name of one of its tests:
 NAME.Suite.test. Run CTest with COBOT_TEST_PATTERN=REGEX in the environment, so that such a program runs only these tests.
-Exit status: 0 found, 1 no test matches."""
+Exit status: 0 found, 4 no test matches, else an error."""
 import concurrent.futures
 import json
 import os
@@ -15,6 +17,7 @@ import sys
 
 RUNNER = "run_gtest.py"
 PATIENCE = 60  # [s]
+NO_TEST = 4
 
 
 def matches(test, pattern, regex):
@@ -33,15 +36,14 @@ def matches(test, pattern, regex):
 
 
 def main():
-    folder, pattern = sys.argv[1:]
+    folder, pattern, *within = sys.argv[1:]
     shown = subprocess.run(["ctest", "--test-dir", folder, "--show-only=json-v1"], capture_output=True, text=True, check=True)
-    tests = json.loads(shown.stdout)["tests"]
+    tests = [test for test in json.loads(shown.stdout)["tests"] if not within or re.search(within[0], test["name"])]
     regex = re.compile(pattern)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         found = [test["name"] for test, is_one in zip(tests, pool.map(lambda test: matches(test, pattern, regex), tests)) if is_one]
     if not found:
-        print(f"no test matches {pattern}", file=sys.stderr)
-        return 1
+        return NO_TEST
     print("^(" + "|".join(re.escape(name) for name in found) + ")$")
     return 0
 

@@ -32,8 +32,8 @@ class FindTests(unittest.TestCase):
         (self.folder / name).write_text(text, encoding="utf-8")
         (self.folder / name).chmod(0o755)
 
-    def found(self, pattern):
-        done = subprocess.run([sys.executable, ROOT / "scripts" / "find_tests.py", self.folder, pattern], capture_output=True, text=True,
+    def found(self, pattern, *within):
+        done = subprocess.run([sys.executable, ROOT / "scripts" / "find_tests.py", self.folder, pattern, *within], capture_output=True, text=True,
                               env=dict(os.environ, PATH=f"{self.folder}:{os.environ['PATH']}"), check=False)
         names = ("built.all", "missing.all", "rostest.stop")
         return done.returncode, [name for name in names if done.stdout and re.match(done.stdout.strip(), name)]
@@ -49,8 +49,12 @@ class FindTests(unittest.TestCase):
         self.assertEqual(self.found("missing"), (0, ["missing.all"]))
         self.assertEqual(self.found("^(built|rostest)[.]"), (0, ["built.all", "rostest.stop"]))
 
+    def test_looks_at_no_other_entries_than_those_that_are_named(self):
+        self.assertEqual(self.found("stop", "^rostest[.]"), (0, ["rostest.stop"]))
+        self.assertEqual(self.found("stop", "^missing[.]"), (4, []))
+
     def test_fails_when_no_test_matches(self):
-        self.assertEqual(self.found("no such test"), (1, []))
+        self.assertEqual(self.found("no such test"), (4, []))
 
 
 if __name__ == "__main__":
