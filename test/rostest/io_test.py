@@ -58,7 +58,8 @@ class Io(MotionTestCase):
         self.assertEqual(state, GoalStatus.PREEMPTED, result.error_description)
 
     def test_waits_for_a_time_at_its_turn_between_two_moves(self):
-        before = self.robot.send(turn(10, 0, 0, 0, 0, 0))
+        # Goals of two actions arrive in any order; and this one lasts until both others have arrived.
+        before = self.robot.send(turn(10, 0, 0, 0, 0, 0, speed=3)).wait_until_active()
         waiting = self.robot.send(pause(1.0, buffer_mode=BUFFERED)).wait_until_queued()
         behind = self.robot.send(to_joints(*HOME, buffer_mode=BUFFERED)).wait_until_queued()
         running = waiting.wait_for_feedback(lambda f: f.phase == f.ACTIVE, "the turn of the wait")
