@@ -10,7 +10,7 @@ from project import project_root
 OWN = re.compile(r'#\s*include\s*"cobot_command/([a-z_]+)/((?:[a-z_]+/)*[a-z_0-9]+\.h)"')
 PUBLIC = "include/cobot_command"
 # Rooms with a library for each folder, that use each other as rooms do.
-SPLIT = {"cell"}
+SPLIT = {"cell", "rapid"}
 
 
 def includes_of(file):
