@@ -33,7 +33,7 @@ Source Source::unreadable(std::string_view reason) {
 /// Of text_ and dialect_.
 void Source::parse(const ReadOptions& options, Findings& findings) {
   Lexed lexed = lex(text_, dialect_, names_, findings);
-  tree_.reserve(lexed.tokens.size() / 2 + 1);
+  tree_.reserve(lexed.tokens.size() / 8 * 5 + 1);
   Cursor cursor(text_, lexed, dialect_, findings);
   FileParser(cursor, tree_, options.has_bodies).file();
   steps_ = cursor.steps();
@@ -74,6 +74,11 @@ Place Source::placeOf(std::uint32_t offset) const {
   const std::string_view before = text().substr(line_starts_[line], offset - line_starts_[line]);
   const auto characters = std::count_if(before.begin(), before.end(), isFirstByte);
   return {static_cast<int>(line) + 1, static_cast<int>(characters) + 1};
+}
+
+std::string_view Source::lineAround(std::uint32_t offset) const {
+  const std::string_view from = text().substr(line_starts_[lineAt(line_starts_, offset)]);
+  return from.substr(0, from.find_first_of("\r\n"));
 }
 
 Source readSource(std::string_view bytes, const ReadOptions& options) {

@@ -64,6 +64,8 @@ class Source {
   [[nodiscard]] Span spanOf(NodeIndex node) const;
   /// `offset`: in text(), at most its size.
   [[nodiscard]] Place placeOf(std::uint32_t offset) const;
+  /// The whole line with the byte at `offset`, without its end.
+  [[nodiscard]] std::string_view lineAround(std::uint32_t offset) const;
 
  private:
   friend Source readSource(std::string_view bytes, const ReadOptions& options);

@@ -14,9 +14,9 @@ class NumberScanner {
     const bool is_number = dialect_ == Dialect::Irc5 && hasPrefix() ? digitsOfPrefix() : decimal();
     const std::size_t end = at_;
     skipGlued();
-    // 38 digits are below the greatest number; so are two digits of exponent with few others.
-    constexpr std::size_t kShort = 32;
-    const bool can_overflow = has_exponent_ || at_ > kShort;
+    // Less than 1E28, times 1E9, is below the greatest number.
+    constexpr std::size_t kShort = 28;
+    const bool can_overflow = exponent_digits_ > 1 || at_ > kShort;
     return {at_, is_number && at_ == end, can_overflow};
   }
 
@@ -65,8 +65,7 @@ class NumberScanner {
     const std::size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
     if (!isDigit(1 + sign)) return;
     at_ += 1 + sign;
-    skipDigits();
-    has_exponent_ = true;
+    exponent_digits_ = skipDigits();
   }
 
   void skipGlued() {
@@ -87,7 +86,7 @@ class NumberScanner {
   std::string_view text_;
   Dialect dialect_;
   std::size_t at_ = 0;
-  bool has_exponent_ = false;
+  std::size_t exponent_digits_ = 0;
 };
 
 }  // namespace

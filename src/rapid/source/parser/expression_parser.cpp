@@ -40,6 +40,10 @@ bool endsElement(TokenKind kind) {
   }
 }
 
+bool isLeaf(TokenKind kind) {
+  return kind == TokenKind::Number || kind == TokenKind::Name || kind == TokenKind::Text;
+}
+
 const char* commaOr(TokenKind close) {
   if (close == TokenKind::RightParenthesis) return "',' or ')'";
   return close == TokenKind::RightBracket ? "',' or ']'" : "',' or '}'";
@@ -85,6 +89,8 @@ NodeIndex ExpressionParser::chain(NodeIndex first) {
 }
 
 NodeIndex ExpressionParser::expression() {
+  // Most expressions are the numbers of positions: no need to ask each rank for its operator.
+  if (isLeaf(cursor_.kind()) && endsElement(cursor_.nextKind())) return leaf();
   return chain<&ExpressionParser::conjunction, isDisjunction>(conjunction());
 }
 
@@ -129,12 +135,20 @@ NodeIndex ExpressionParser::product() {
   return chain<&ExpressionParser::primary, isProduct>(primary());
 }
 
+/// A number, a text, or a name alone.
+NodeIndex ExpressionParser::leaf() {
+  const TokenKind kind = cursor_.kind();
+  return takeLeaf(tree_, cursor_,
+                  kind == TokenKind::Number ? NodeKind::Number
+                  : kind == TokenKind::Text ? NodeKind::String
+                                            : NodeKind::Reference);
+}
+
 NodeIndex ExpressionParser::primary() {
   switch (cursor_.kind()) {
     case TokenKind::Number:
-      return takeLeaf(tree_, cursor_, NodeKind::Number);
     case TokenKind::Text:
-      return takeLeaf(tree_, cursor_, NodeKind::String);
+      return leaf();
     case TokenKind::True:
     case TokenKind::False:
       return takeLeaf(tree_, cursor_, NodeKind::Bool);

@@ -39,6 +39,7 @@ class ExpressionParser {
   NodeIndex sum();
   NodeIndex product();
   NodeIndex primary();
+  NodeIndex leaf();
   template <Operand kOperand, bool (*kIsOperator)(TokenKind)>
   NodeIndex chain(NodeIndex first);
   NodeIndex prefixed(NodeKind kind, Operand operand);
