@@ -32,9 +32,9 @@ void foldTo(std::string_view name, std::string& result) {
 
 /// The place of a name among the recent ones. Precondition: not empty.
 std::size_t placeOf(std::string_view folded, std::size_t places) {
-  const auto at = [&](std::size_t index) { return static_cast<unsigned char>(folded[index]); };
+  const auto at = [&](std::size_t index) -> std::size_t { return static_cast<unsigned char>(folded[index]); };
   const std::size_t last = folded.size() - 1;
-  return (folded.size() + 7U * at(0) + 31U * at(last) + 131U * at(folded.size() / 2)) % places;
+  return (folded.size() + 7 * at(0) + 31 * at(last) + 131 * at(folded.size() / 2)) % places;
 }
 
 }  // namespace
