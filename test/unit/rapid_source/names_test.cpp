@@ -30,7 +30,7 @@ TEST(RapidNames, tellManyNamesApart) {
   for (int i = 0; i < 10000; ++i) indices.push_back(names.add("name_" + std::to_string(i)));
   for (int i = 0; i < 10000; ++i) {
     EXPECT_EQ(names.add("NAME_" + std::to_string(i)), indices.at(static_cast<std::size_t>(i)));
-}
+  }
 }
 
 TEST(RapidNames, readLongNamesAsShortOnes) {

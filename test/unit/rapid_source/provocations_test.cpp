@@ -2,7 +2,10 @@
 #include "provocations.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
+#include "source_tree.h"
 #include "tree_text.h"
 #include <gmock/gmock.h>
 
@@ -40,6 +43,14 @@ TEST(RapidFindings, haveAProvocationForEachKind) {
     const bool is_provoked = std::any_of(provocations().begin(), provocations().end(),
                                          [&](const Provocation& row) { return row.id == kind.id; });
     EXPECT_TRUE(is_provoked) << kind.id;
+  }
+}
+
+TEST(RapidFindings, areOnThePage) {
+  std::ifstream file(test_support::inSourceTree("doc/rapid.md"));
+  const std::string page{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  for (const FindingKind& kind : kReadingFindings) {
+    EXPECT_NE(page.find("| " + std::string(kind.id) + " |"), std::string::npos) << kind.id;
   }
 }
 
