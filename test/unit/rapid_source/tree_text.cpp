@@ -35,9 +35,9 @@ bool hasWord(NodeKind kind) {
 
 std::string flagsText(const Node& node) {
   std::string text;
-  for (const auto& [flag, sign] : {std::pair(Node::kIsFaulty, "!"), std::pair(Node::kIsLocal, "local "),
-                                   std::pair(Node::kIsTask, "task "), std::pair(Node::kIsOptional, "\\"),
-                                   std::pair(Node::kExcludes, "|"), std::pair(Node::kIsConditional, "?")}) {
+  for (const auto& [flag, sign] :
+       {std::pair(Node::Faulty, "!"), std::pair(Node::Local, "local "), std::pair(Node::Task, "task "),
+        std::pair(Node::Optional, "\\"), std::pair(Node::Excludes, "|"), std::pair(Node::Conditional, "?")}) {
     if (node.has(flag)) text += sign;
   }
   return text;

@@ -21,15 +21,15 @@ enum class NodeKind : std::uint8_t {
   Module,     ///< Attribute* (Record | Alias | Data | Routine | Placeholder | Unread)*; name
   Attribute,  ///< word: Sysmodule, Noview, Nostepin, Viewonly or Readonly
 
-  // Declarations. kIsLocal where LOCAL is before it.
+  // Declarations. Local where LOCAL is before it.
   Record,     ///< Component*; name
   Component,  ///< TypeName; name
   Alias,      ///< TypeName; name
-  Data,       ///< TypeName Dimensions? EXPR? (the value); name; word: Var, Pers or Const; kIsTask
+  Data,       ///< TypeName Dimensions? EXPR? (the value); name; word: Var, Pers or Const; Task
   Routine,  ///< TypeName? (of a FUNC) Parameters? (not of a TRAP) LIST Handler*; name; word: Proc, Func, Trap
   Parameters,    ///< (Parameter | Placeholder)*
-  Parameter,     ///< TypeName Dimensions?; name; word: Inout, Var, Pers, or Name for none; kIsOptional;
-                 ///< kExcludes
+  Parameter,     ///< TypeName Dimensions?; name; word: Inout, Var, Pers, or Name for none; Optional;
+                 ///< Excludes
   Handler,       ///< ErrorNumbers? LIST; word: Backward, Error or Undo
   ErrorNumbers,  ///< EXPR*; of ERROR (n,m)
   TypeName,      ///< name
@@ -44,7 +44,7 @@ enum class NodeKind : std::uint8_t {
   If,           ///< EXPR LIST Elseif* Else?
   Elseif,       ///< EXPR LIST
   Else,         ///< LIST
-  CompactIf,    ///< EXPR, and an instruction; without the latter only if kIsFaulty
+  CompactIf,    ///< EXPR, and an instruction; without the latter only if Faulty
   For,          ///< EXPR (from) EXPR (to) Step? LIST; name: the counter
   Step,         ///< EXPR
   While,        ///< EXPR LIST
@@ -58,10 +58,10 @@ enum class NodeKind : std::uint8_t {
   Trynext,
   Exit,
   Connect,  ///< Reference; name: of the trap
-  Unread,   ///< text in which nothing was recognized; kIsFaulty
+  Unread,   ///< text in which nothing was recognized; Faulty
 
   // Parts of expressions and calls.
-  Argument,   ///< EXPR?; name; an argument with a name. One without is the EXPR itself. See kIsOptional
+  Argument,   ///< EXPR?; name; an argument with a name. One without is the EXPR itself. See Optional
   Operation,  ///< EXPR; word: the operator before it. Part of a Chain
   Index,      ///< EXPR*; `{1,2}` of a Reference
   Part,       ///< name; `.x` of a Reference
@@ -86,15 +86,14 @@ inline constexpr NodeIndex kNoNode = std::numeric_limits<NodeIndex>::max();
 
 struct Node {
   enum Flag : std::uint8_t {
-    /// A lexical or syntax error in it (other than E102 E105 E107 E203 E205): no finding of its meaning
-    /// should
-    /// be reported. Of an instruction with a list: an error in what is before and between its lists.
-    kIsFaulty = 1,
-    kIsLocal = 2,
-    kIsTask = 4,
-    kIsOptional = 8,      ///< a Parameter or an Argument after a backslash
-    kExcludes = 16,       ///< a Parameter after `|`: at most one of it and the one before it is given
-    kIsConditional = 32,  ///< an optional Argument `\name?parameter`; its child is the Reference `parameter`
+    /// An error in it (1xx, 2xx, other than E102 E105 E107 E203 E205): no finding of its meaning should be
+    /// reported. Of an instruction with a list: an error in what is before and between its lists.
+    Faulty = 1,
+    Local = 2,
+    Task = 4,
+    Optional = 8,      ///< a Parameter or an Argument after a backslash
+    Excludes = 16,     ///< a Parameter after `|`: at most one of it and the one before it is given
+    Conditional = 32,  ///< an optional Argument `\name?parameter`; its child is the Reference `parameter`
   };
 
   NodeKind kind = NodeKind::File;

@@ -96,7 +96,7 @@ NodeIndex ExpressionParser::namedArgument() {
 
 NodeIndex ExpressionParser::optionalArgument() {
   const NodeIndex node = openNode(tree_, cursor_, NodeKind::Argument);
-  tree_[node].flags |= Node::kIsOptional;
+  tree_[node].flags |= Node::Optional;
   cursor_.advance();
   tree_[node].name = takeName(cursor_, "the name of an argument");
   if (tree_[node].name == kNoToken || !optionValue(node)) return kNoNode;
@@ -108,7 +108,7 @@ NodeIndex ExpressionParser::optionalArgument() {
 bool ExpressionParser::optionValue(NodeIndex argument) {
   NodeIndex value = kNoNode;
   if (cursor_.take(TokenKind::Question)) {
-    tree_[argument].flags |= Node::kIsConditional;
+    tree_[argument].flags |= Node::Conditional;
     const NodeIndex parameter = openNode(tree_, cursor_, NodeKind::Reference);
     tree_[parameter].name = takeName(cursor_, "the name of a parameter");
     value = tree_[parameter].name == kNoToken ? kNoNode : parameter;

@@ -31,7 +31,7 @@ NodeIndex DeclarationParser::open(NodeKind kind, Prefix prefix) {
 void DeclarationParser::close(NodeIndex declaration, bool is_read) {
   if (!is_read) recover(cursor_);
   closeNode(tree_, cursor_, declaration);
-  if (cursor_.takeFaulty()) tree_[declaration].flags |= Node::kIsFaulty;
+  if (cursor_.takeFaulty()) tree_[declaration].flags |= Node::Faulty;
 }
 
 NodeIndex DeclarationParser::data(Prefix prefix) {
@@ -40,7 +40,7 @@ NodeIndex DeclarationParser::data(Prefix prefix) {
     const bool is_refused = cursor_.dialect() == Dialect::S4c;
     cursor_.advance();
     if (is_refused) cursor_.report(kinds::kNotInS4c, task, "TASK " + std::string(toString(cursor_.kind())));
-    prefix.flags |= Node::kIsTask;
+    prefix.flags |= Node::Task;
   }
   const NodeIndex node = open(NodeKind::Data, prefix);
   ChildList children(tree_, node);
@@ -49,7 +49,7 @@ NodeIndex DeclarationParser::data(Prefix prefix) {
   if (is_read) cursor_.advance();
   is_read = is_read && dataParts(node, children) && takeSemicolon(cursor_);
   close(node, is_read);
-  if (is_read && !tree_[node].has(Node::kIsFaulty)) checkValue(node);
+  if (is_read && !tree_[node].has(Node::Faulty)) checkValue(node);
   return node;
 }
 
@@ -122,7 +122,7 @@ NodeIndex DeclarationParser::record(Prefix prefix) {
   cursor_.advance();
   tree_[node].name = takeName(cursor_, "a name");
   if (tree_[node].name == kNoToken) skipLine(cursor_);
-  if (cursor_.takeFaulty()) tree_[node].flags |= Node::kIsFaulty;
+  if (cursor_.takeFaulty()) tree_[node].flags |= Node::Faulty;
   while (!cursor_.is(TokenKind::End) && !isAnchor(cursor_.kind())) children.add(component());
   if (!cursor_.take(TokenKind::Endrecord)) {
     cursor_.reportHarmless(kinds::kNotClosed, word, "RECORD", "ENDRECORD");
@@ -170,10 +170,10 @@ bool DeclarationParser::parameters(ChildList& routine) {
 /// One parameter, or optional ones that exclude each other.
 bool DeclarationParser::parameterGroup(ChildList& parameters) {
   const bool is_optional = cursor_.take(TokenKind::Backslash);
-  if (!parameter(parameters, is_optional ? Node::kIsOptional : 0)) return false;
+  if (!parameter(parameters, is_optional ? Node::Optional : 0)) return false;
   while (is_optional && cursor_.take(TokenKind::Bar)) {
     cursor_.take(TokenKind::Backslash);
-    if (!parameter(parameters, Node::kIsOptional | Node::kExcludes)) return false;
+    if (!parameter(parameters, Node::Optional | Node::Excludes)) return false;
   }
   return true;
 }

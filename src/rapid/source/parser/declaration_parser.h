@@ -12,7 +12,7 @@ namespace cobot_command::rapid {
 /// LOCAL and TASK before a declaration.
 struct Prefix {
   TokenIndex first = kNoToken;  ///< the first token of the declaration
-  std::uint8_t flags = 0;       ///< Node::kIsLocal, kIsTask
+  std::uint8_t flags = 0;       ///< Node::Local, Task
 };
 
 /// Each function reports syntax errors, continues after them, and returns a node: what has a name is

@@ -52,7 +52,7 @@ NodeIndex FileParser::header() {
     }
   }
   closeNode(tree_, cursor_, node);
-  if (cursor_.takeFaulty()) tree_[node].flags |= Node::kIsFaulty;
+  if (cursor_.takeFaulty()) tree_[node].flags |= Node::Faulty;
   return node;
 }
 
@@ -84,7 +84,7 @@ NodeIndex FileParser::module() {
   cursor_.advance();
   tree_[node].name = takeName(cursor_, "the name of a module");
   if (cursor_.is(TokenKind::LeftParenthesis)) attributes(children);
-  if (cursor_.takeFaulty()) tree_[node].flags |= Node::kIsFaulty;
+  if (cursor_.takeFaulty()) tree_[node].flags |= Node::Faulty;
   items(children);
   if (!cursor_.take(TokenKind::Endmodule)) {
     cursor_.reportHarmless(kinds::kNotClosed, word, "MODULE", "ENDMODULE");
@@ -135,7 +135,7 @@ void FileParser::items(ChildList& module) {
 
 void FileParser::item(ChildList& module, bool& has_routine) {
   Prefix prefix{cursor_.index()};
-  if (cursor_.take(TokenKind::Local)) prefix.flags = Node::kIsLocal;
+  if (cursor_.take(TokenKind::Local)) prefix.flags = Node::Local;
   switch (cursor_.kind()) {
     case TokenKind::Proc:
     case TokenKind::Func:
@@ -181,7 +181,7 @@ NodeIndex FileParser::routine(Prefix prefix) {
   ChildList parts(tree_, node);
   cursor_.advance();
   if (!routineHeader(node, parts)) skipLine(cursor_);
-  if (cursor_.takeFaulty()) tree_[node].flags |= Node::kIsFaulty;
+  if (cursor_.takeFaulty()) tree_[node].flags |= Node::Faulty;
   if (has_bodies_) {
     parts.add(lists_.body());
     handlers(parts, kind);
@@ -233,7 +233,7 @@ NodeIndex FileParser::handler() {
   ChildList parts(tree_, node);
   cursor_.advance();
   if (is_error && cursor_.is(TokenKind::LeftParenthesis)) errorNumbers(parts, word);
-  if (cursor_.takeFaulty()) tree_[node].flags |= Node::kIsFaulty;
+  if (cursor_.takeFaulty()) tree_[node].flags |= Node::Faulty;
   parts.add(lists_.handler());
   closeNode(tree_, cursor_, node);
   return node;

@@ -77,7 +77,7 @@ NodeIndex InstructionParser::instruction() {
   ChildList children(tree_, node);
   if (!read(node, children)) recover(cursor_);
   closeNode(tree_, cursor_, node);
-  if (cursor_.takeFaulty()) tree_[node].flags |= Node::kIsFaulty;
+  if (cursor_.takeFaulty()) tree_[node].flags |= Node::Faulty;
   return node;
 }
 

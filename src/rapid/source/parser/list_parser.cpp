@@ -96,7 +96,7 @@ void ListParser::nothing(ChildList& list) {
   const NodeIndex node = is_in_row ? list.last() : openNode(tree_, cursor_, NodeKind::Unread);
   if (!is_in_row) {
     tree_[node].first = first;
-    tree_[node].flags |= Node::kIsFaulty;
+    tree_[node].flags |= Node::Faulty;
     list.add(node);
   }
   closeNode(tree_, cursor_, node);
@@ -136,7 +136,7 @@ NodeIndex ListParser::nestedInstruction() {
 }
 
 void ListParser::markFaulty(NodeIndex node) {
-  if (cursor_.takeFaulty()) tree_[node].flags |= Node::kIsFaulty;
+  if (cursor_.takeFaulty()) tree_[node].flags |= Node::Faulty;
 }
 
 bool ListParser::condition(ChildList& parts) {

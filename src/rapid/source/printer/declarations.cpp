@@ -25,7 +25,7 @@ Declarations::Declarations(const Source& source, const PredefinedNames& predefin
   const Tree& tree = source.tree();
   for (const NodeIndex module : tree.children(Tree::kRoot)) {
     for (const NodeIndex node : tree.children(module)) {
-      if (!tree[node].has(Node::kIsLocal)) declare(file_, file_types_, node);
+      if (!tree[node].has(Node::Local)) declare(file_, file_types_, node);
     }
   }
 }
@@ -75,8 +75,6 @@ void Declarations::declareList(NodeIndex list) {
         declare(labels_, module_types_, node);
         break;
       case NodeKind::List:
-        declareList(node);
-        break;
       case NodeKind::If:
       case NodeKind::Elseif:
       case NodeKind::Else:
