@@ -1,5 +1,5 @@
-// What reading and formatting RAPID costs, as ratios of two sides that are measured in turns in one run: the
-// time alone says more of the machine than of the code. Figures: doc/rapid.md.
+// What reading and formatting RAPID costs, as ratios of two sides that are measured alternately in one run: a
+// time alone depends more on the machine than on the code. Figures: doc/rapid.md.
 //
 //   build/release/benchmark/rapid_benchmark     # a release build, a quiet machine
 #include <algorithm>

@@ -18,8 +18,8 @@ void checkFindings(const Source& source) {
   REQUIRE(source.findings().size() <= kMostFindings + 1);
   for (const Finding& finding : source.findings()) {
     REQUIRE(finding.span.begin <= finding.span.end && finding.span.end <= source.text().size());
-    const std::string told = describe(source, finding, "a.mod");
-    REQUIRE(told.size() < 500 && told == escaped(told));
+    const std::string line = describe(source, finding, "a.mod");
+    REQUIRE(line.size() < 500 && line == escaped(line));
   }
 }
 

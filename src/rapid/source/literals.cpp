@@ -33,7 +33,7 @@ int baseOf(std::string_view written) {
 }
 
 /// std::from_chars reports too large and too small alike. The power of ten of the first digit that is not 0
-/// tells which it is.
+/// decides which it is.
 bool isSmall(std::string_view written) {
   const std::size_t exponent_sign = std::min(written.find_first_of("eE"), written.size());
   const std::string_view mantissa = written.substr(0, exponent_sign);

@@ -120,7 +120,7 @@ TEST(Rapid, leavesTheOldFileIfTheNewOneCannotBeWritten) {
   EXPECT_EQ(folder.count(), 1);
 }
 
-TEST(Rapid, tellsWhereAFileIsNotCanonical) {
+TEST(Rapid, reportsWhereAFileIsNotCanonical) {
   const OwnFolder folder;
   const std::string loose = folder.file("a.mod", "MODULE m\n  VAR num  a;\nENDMODULE\n");
   const Outcome outcome = run("format --check " + loose);
@@ -185,7 +185,7 @@ TEST(Rapid, explainsItself) {
   EXPECT_THAT(run("--version").output, HasSubstr("rapid (cobot_command)"));
 }
 
-TEST(Rapid, tellsWhenItsAnswerCannotBeWritten) {
+TEST(Rapid, reportsThatItsAnswerCannotBeWritten) {
   EXPECT_EQ(run("format " + inSourceTree("test/data/rapid/16_format_in.mod") + " >/dev/full").status, 3);
 }
 

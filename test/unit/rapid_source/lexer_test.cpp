@@ -103,7 +103,7 @@ TEST(RapidLexer, readsPlaceholdersInAnyCase) {
   EXPECT_THAT(textsOf("<SMTX> a<b"), ElementsAre("<", "SMTX", ">", "a", "<", "b"));
 }
 
-TEST(RapidLexer, tellsTheMarkOfAHeaderFromThePercentOfALateCall) {
+TEST(RapidLexer, distinguishesTheMarkOfAHeaderFromThePercentOfALateCall) {
   EXPECT_THAT(kindsOf("%%% %"), ElementsAre(TokenKind::HeaderMark, TokenKind::Percent, TokenKind::End));
 }
 

@@ -24,7 +24,7 @@ class PredefinedNames {
   /// known. Both must live as long as this object. The first declaration of a name counts.
   PredefinedNames(const std::vector<const Source*>& sources, const std::vector<std::string_view>& others);
 
-  /// `folded`: in small letters. A type and data of one name are told apart.
+  /// `folded`: in small letters. Data may have the name of a type.
   [[nodiscard]] DeclaredName find(std::string_view folded) const;
   [[nodiscard]] DeclaredName findType(std::string_view folded) const;
 

@@ -9,7 +9,7 @@
 
 namespace cobot_command::rapid {
 
-/// Declares what encloses the place to which a walk over the tree has come.
+/// Has the declarations that are visible at one place of a walk over the tree.
 class Declarations {
  public:
   Declarations(const Source& source, const PredefinedNames& predefined);

@@ -72,7 +72,7 @@ bool joinsRight(TokenKind kind) {
   }
 }
 
-/// Takes the elements of a list one after the other, as the walk over the tokens comes to them.
+/// Takes the elements of a list one after the other, as the walk over the tokens reaches them.
 template <class Element>
 class InOrder {
  public:
