@@ -27,6 +27,7 @@ TEST(RapidNames, findTheSameNameInAnyCase) {
 TEST(RapidNames, tellManyNamesApart) {
   NameTable names;
   std::vector<NameIndex> indices;
+  indices.reserve(10000);
   for (int i = 0; i < 10000; ++i) indices.push_back(names.add("name_" + std::to_string(i)));
   for (int i = 0; i < 10000; ++i) {
     EXPECT_EQ(names.add("NAME_" + std::to_string(i)), indices.at(static_cast<std::size_t>(i)));

@@ -13,7 +13,7 @@ namespace {
 std::string printed(const std::string& text) {
   const Source source = readSource(text);
   EXPECT_FALSE(source.isBroken()) << text;
-  const std::string once = print(source, predefinedNames());
+  std::string once = print(source, predefinedNames());
   EXPECT_EQ(print(readSource(once), predefinedNames()), once);
   return once;
 }
