@@ -15,9 +15,19 @@ namespace cobot_command::rapid {
 [[nodiscard]] const Source& predefinedData();
 /// Routines, declared without bodies; read once, on the first call.
 [[nodiscard]] const Source& catalogue();
-/// Routines of the language that this package knows and refuses (E502): the lines `! == known` of the
-/// catalogue.
-[[nodiscard]] const std::vector<std::string_view>& refusedNames();
+
+/// A name of the language that this package knows and refuses (E502).
+struct Refusal {
+  std::string_view name;
+  std::string_view reason;
+  std::string_view way_around;
+};
+/// The lines `! == known (reason; way around): NAME NAME` of the catalogue.
+[[nodiscard]] const std::vector<Refusal>& refusals();
+/// True for a routine of the catalogue that is declared in a tier after the first one: it does not run yet.
+[[nodiscard]] bool isNotBuilt(NodeIndex routine);
+/// True for a predefined name, in small letters, that dialect s4c does not have.
+[[nodiscard]] bool isOfIrc5Alone(std::string_view folded);
 
 /// All of these.
 [[nodiscard]] const PredefinedNames& predefinedNames();

@@ -11,7 +11,6 @@
 namespace cobot_command::rapid {
 namespace {
 
-using ::testing::Contains;
 using ::testing::IsEmpty;
 
 TEST(RapidPredefined, isReadWithoutFindings) {
@@ -35,11 +34,25 @@ TEST(RapidPredefined, findsRoutinesTypesAndDataByTheirNames) {
   EXPECT_EQ(predefinedNames().find("nothing").written, "");
 }
 
-TEST(RapidPredefined, knowsTheNamesThatAreRefused) {
-  EXPECT_THAT(refusedNames(), Contains("ActUnit"));
-  EXPECT_THAT(refusedNames(), Contains("RawBytesLen"));
-  EXPECT_EQ(refusedNames().size(), 60U);
+TEST(RapidPredefined, knowsTheNamesThatAreRefusedWithReasonAndWayAround) {
+  EXPECT_EQ(refusals().size(), 60U);
+  EXPECT_EQ(refusals().front().name, "ActUnit");
+  EXPECT_EQ(refusals().front().reason, "the arm has six axes and no others");
+  EXPECT_EQ(refusals().front().way_around, "leave external axes 9E9, or --skip");
+  EXPECT_EQ(refusals().back().name, "RawBytesLen");
+  for (const Refusal& refusal : refusals()) {
+    EXPECT_FALSE(refusal.reason.empty()) << refusal.name;
+    EXPECT_FALSE(refusal.way_around.empty()) << refusal.name;
+  }
   EXPECT_EQ(predefinedNames().find("softact").written, "SoftAct");
+}
+
+TEST(RapidPredefined, tellsApartWhatIsBuiltAndWhatEachDialectHas) {
+  EXPECT_FALSE(isNotBuilt(predefinedNames().find("tpshow").node));
+  EXPECT_TRUE(isNotBuilt(predefinedNames().find("movejdo").node));
+  EXPECT_TRUE(isNotBuilt(predefinedNames().find("bitcheck").node));
+  for (const char* name : {"z0", "calcrobt", "bitcheck", "gettaskname"}) EXPECT_TRUE(isOfIrc5Alone(name)) << name;
+  for (const char* name : {"z1", "movel", "readbin", "mine"}) EXPECT_FALSE(isOfIrc5Alone(name)) << name;
 }
 
 TEST(RapidPredefined, declaresEachNameOnce) {

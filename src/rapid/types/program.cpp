@@ -1,0 +1,45 @@
+#include "cobot_command/rapid/types/program.h"
+
+namespace cobot_command::rapid {
+
+namespace {
+
+SymbolIndex foundIn(const NameMap& names, std::string_view folded) {
+  const auto found = names.find(folded);
+  return found == names.end() ? kNoSymbol : found->second;
+}
+
+}  // namespace
+
+std::vector<NodeIndex> Program::argumentsOf(FileIndex file, NodeIndex call) const {
+  const Symbol& routine = symbol(at(file, call).symbol);
+  const Tree& tree = source(file).tree();
+  std::vector<NodeIndex> arguments(routine.parameters, kNoNode);
+  std::uint32_t position = 0;
+  const auto is_optional = [&] { return symbol(routine.first_parameter + position).has(Symbol::Optional); };
+  for (const NodeIndex child : tree.children(call)) {
+    if (tree[child].kind == NodeKind::Argument) {
+      const SymbolIndex parameter = at(file, child).symbol;
+      if (parameter == kNoSymbol) continue;
+      arguments[parameter - routine.first_parameter] = child;
+      if (tree[child].has(Node::Optional)) continue;
+      position = parameter - routine.first_parameter + 1;
+    } else {
+      while (position < routine.parameters && is_optional()) ++position;
+      if (position < routine.parameters) arguments[position++] = child;
+    }
+  }
+  return arguments;
+}
+
+SymbolIndex Program::find(SymbolIndex module, std::string_view folded) const {
+  const auto own = parts_.modules.find(module);
+  if (own != parts_.modules.end()) {
+    const SymbolIndex found = foundIn(own->second, folded);
+    if (found != kNoSymbol) return found;
+  }
+  const SymbolIndex global = foundIn(parts_.globals, folded);
+  return global != kNoSymbol ? global : foundIn(parts_.predefined, folded);
+}
+
+}  // namespace cobot_command::rapid
