@@ -29,10 +29,10 @@ std::size_t distance(std::string_view from, std::string_view to) {
 
 }  // namespace
 
-std::string nearestOf(std::string_view word, const std::vector<std::string>& known) {
+std::string nearestOf(std::string_view word, const std::vector<std::string>& known, std::size_t most) {
   // A third of a word may be wrong; a longer one than any name is not worth the work.
   constexpr std::size_t kLongestWord = 64;
-  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  std::size_t least = std::min(most, std::max<std::size_t>(1, word.size() / 3)) + 1;
   std::string nearest;
   if (word.size() > kLongestWord) return nearest;
   for (const std::string& name : known) {

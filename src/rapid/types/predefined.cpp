@@ -43,13 +43,18 @@ void addRefusals(std::string_view comment, std::vector<Refusal>& refusals) {
   }
 }
 
-std::vector<Refusal> refusalsOf(const Source& source) {
-  std::vector<Refusal> refusals;
+void addRefusals(const Source& source, std::vector<Refusal>& refusals) {
   for (TokenIndex token = 0; token < source.tokens().size(); ++token) {
     const std::string_view text = source.textOf(token);
     const bool is_refused = source.tokens()[token].kind == TokenKind::Comment && begins(text, kRefused);
     if (is_refused) addRefusals(text, refusals);
   }
+}
+
+std::vector<Refusal> allRefusals() {
+  std::vector<Refusal> refusals;
+  addRefusals(catalogue(), refusals);
+  addRefusals(predefinedData(), refusals);
   return refusals;
 }
 
@@ -75,7 +80,7 @@ const Source& catalogue() {
 }
 
 const std::vector<Refusal>& refusals() {
-  static const std::vector<Refusal> all = refusalsOf(catalogue());
+  static const std::vector<Refusal> all = allRefusals();
   return all;
 }
 

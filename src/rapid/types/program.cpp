@@ -32,14 +32,14 @@ std::vector<NodeIndex> Program::argumentsOf(FileIndex file, NodeIndex call) cons
   return arguments;
 }
 
-SymbolIndex Program::find(SymbolIndex module, std::string_view folded) const {
-  const auto own = parts_.modules.find(module);
-  if (own != parts_.modules.end()) {
+SymbolIndex ProgramParts::find(SymbolIndex module, std::string_view folded) const {
+  const auto own = modules.find(module);
+  if (own != modules.end()) {
     const SymbolIndex found = foundIn(own->second, folded);
     if (found != kNoSymbol) return found;
   }
-  const SymbolIndex global = foundIn(parts_.globals, folded);
-  return global != kNoSymbol ? global : foundIn(parts_.predefined, folded);
+  const SymbolIndex global = foundIn(globals, folded);
+  return global != kNoSymbol ? global : foundIn(predefined, folded);
 }
 
 }  // namespace cobot_command::rapid

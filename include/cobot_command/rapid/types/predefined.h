@@ -22,7 +22,7 @@ struct Refusal {
   std::string_view reason;
   std::string_view way_around;
 };
-/// The lines `! == known (reason; way around): NAME NAME` of the catalogue.
+/// Routines and types, of the lines `! == known (reason; way around): NAME NAME` of both modules.
 [[nodiscard]] const std::vector<Refusal>& refusals();
 /// True for a routine of the catalogue that is declared in a tier after the first one: it does not run yet.
 [[nodiscard]] bool isNotBuilt(NodeIndex routine);

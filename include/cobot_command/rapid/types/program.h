@@ -21,7 +21,8 @@ namespace cobot_command::rapid {
 
 inline constexpr std::size_t kMostModules = 64;  ///< of a program, predefined ones not counted
 
-/// What a node stands for. A part that a node has not, or that an error leaves open, is missing.
+/// What a node stands for. Of an Operation: the type of its chain up to it. A part that a node has not, or
+/// that an error leaves open, is missing.
 struct Meaning {
   /// Of a declaration, For, Label, Goto, Connect (the trap), Call, Function, Reference: the symbol of its
   /// name. Of an Argument: the parameter. Of a Part: the position of the component in its record.
@@ -50,9 +51,12 @@ struct ProgramParts {
   std::vector<Cell> constants;
   std::shared_ptr<const std::vector<Signal>> signals;
   NameMap predefined;                      ///< routines, data and signals, without types
-  NameMap globals;                         ///< of all modules
-  std::map<SymbolIndex, NameMap> modules;  ///< of each module: all that it declares
+  NameMap globals;                         ///< of all modules, with those of the modules
+  std::map<SymbolIndex, NameMap> modules;  ///< of each module: the routines and data that it declares
   SymbolIndex main = kNoSymbol;
+
+  /// See Program::find().
+  [[nodiscard]] SymbolIndex find(SymbolIndex module, std::string_view folded) const;
 };
 
 class Program {
@@ -85,7 +89,9 @@ class Program {
 
   /// What a name means in a module, outside of its routines: for names that are known only at run time.
   /// `folded`: in small letters. kNoSymbol if there is none.
-  [[nodiscard]] SymbolIndex find(SymbolIndex module, std::string_view folded) const;
+  [[nodiscard]] SymbolIndex find(SymbolIndex module, std::string_view folded) const {
+    return parts_.find(module, folded);
+  }
 
  private:
   [[nodiscard]] const Cell* cellsAt(ConstantIndex place) const {

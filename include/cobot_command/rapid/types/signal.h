@@ -13,7 +13,8 @@ enum class SignalType : std::uint8_t { Di, Do, Gi, Go, Ai, Ao };
 enum class IoModule : std::uint8_t { ControlBox, EndModule };
 
 struct Signal {
-  std::string name;  ///< as in the file
+  std::string name;    ///< as in the file
+  std::string folded;  ///< in small letters
   SignalType type = SignalType::Di;
   /// It has no wire: topics and tests set it.
   bool is_virtual = false;

@@ -41,6 +41,7 @@ struct Symbol {
     Excludes = 8,   ///< a Parameter after `|`: at most one of it and the one before it is given
     NotBuilt = 16,  ///< a predefined routine that is declared and does not run yet
     Irc5Only = 32,  ///< predefined, and not in dialect s4c
+    Faulty = 64,    ///< an error leaves open what it is: nothing should be concluded from it
   };
 
   SymbolKind kind = SymbolKind::Data;

@@ -1,0 +1,153 @@
+#include "routines/routine_scope.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace cobot_command::rapid {
+
+void RoutineScope::enter(SymbolIndex routine) {
+  routine_ = routine;
+  labels_.clear();
+  names_.enterModule(draft_.symbol(routine).owner);
+  parameters();
+  const NodeIndex node = draft_.symbol(routine).node;
+  for (const NodeIndex child : file_.tree().children(node)) {
+    if (file_[child].kind == NodeKind::List) list(child);
+    if (file_[child].kind != NodeKind::Handler) continue;
+    const NodeIndex handled = file_.tree().childOf(child, NodeKind::List);
+    if (handled != kNoNode) list(handled);
+  }
+}
+
+void RoutineScope::parameters() {
+  const Symbol routine = draft_.symbol(routine_);
+  for (std::uint32_t i = 0; i < routine.parameters; ++i) {
+    const SymbolIndex parameter = routine.first_parameter + i;
+    declare(draft_.symbol(parameter).node, parameter);
+  }
+}
+
+void RoutineScope::list(NodeIndex list) {
+  for (const NodeIndex child : file_.tree().children(list)) {
+    file_.countStep();
+    switch (file_[child].kind) {
+      case NodeKind::Data:
+        data(child);
+        break;
+      case NodeKind::Label:
+        label(child, list);
+        break;
+      case NodeKind::If:
+      case NodeKind::For:
+      case NodeKind::While:
+      case NodeKind::Test:
+        branches(child);
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+/// The lists of an instruction, and of its parts. A compact IF has none: its instruction may be a block.
+void RoutineScope::branches(NodeIndex instruction) {
+  for (const NodeIndex child : file_.tree().children(instruction)) {
+    switch (file_[child].kind) {
+      case NodeKind::List:
+        list(child);
+        break;
+      case NodeKind::Elseif:
+      case NodeKind::Else:
+      case NodeKind::Case:
+      case NodeKind::DefaultCase:
+      case NodeKind::CompactIf:
+      case NodeKind::If:
+      case NodeKind::For:
+      case NodeKind::While:
+      case NodeKind::Test:
+        branches(child);
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+void RoutineScope::data(NodeIndex node) {
+  const Node& at = file_[node];
+  if (at.word == TokenKind::Pers && !at.has(Node::Faulty)) {
+    file_.report(kinds::kPersInRoutine, at.has(Node::Task) ? at.first + 1 : at.first);
+  }
+  if (!file_.isName(at.name)) return;
+  Symbol symbol;
+  symbol.kind = SymbolKind::Data;
+  symbol.word = at.word;
+  symbol.flags = static_cast<std::uint8_t>((at.word == TokenKind::Const ? Symbol::ReadOnly : 0) |
+                                           (at.has(Node::Faulty) ? Symbol::Faulty : 0));
+  symbol.file = file_.file();
+  symbol.node = node;
+  symbol.owner = routine_;
+  symbol.name = file_.source().textOf(at.name);
+  const SymbolIndex index = draft_.add(symbol);
+  file_.at(node).symbol = index;
+  declare(node, index);
+}
+
+/// A parameter or data. A name that is there already keeps its first meaning.
+void RoutineScope::declare(NodeIndex node, SymbolIndex symbol) {
+  const TokenIndex name = file_[node].name;
+  if (!file_.isName(name)) return;
+  const NameIndex index = file_.nameAt(name);
+  const SymbolIndex first = names_.inRoutine(index);
+  if (first != kNoSymbol) {
+    const Token& token = file_.source().tokens()[file_[draft_.symbol(first).node].name];
+    const Place place = file_.source().placeOf(token.begin);
+    return file_.report(kinds::kDeclaredAlready, name, file_.quotedAt(name),
+                        fmt::format("{}:{}", place.line, place.column));
+  }
+  const auto hidden = draft_.parts.predefined.find(file_.foldedAt(name));
+  const bool hides =
+      hidden != draft_.parts.predefined.end() &&
+      (draft_.dialect == Dialect::Irc5 || !draft_.symbol(hidden->second).has(Symbol::Irc5Only));
+  if (hides) file_.report(kinds::kHidesPredefined, name, file_.quotedAt(name));
+  names_.set(index, symbol);
+}
+
+void RoutineScope::label(NodeIndex node, NodeIndex list) {
+  const TokenIndex name = file_[node].name;
+  if (!file_.isName(name)) return;
+  const NameIndex index = file_.nameAt(name);
+  if (names_.inRoutine(index) != kNoSymbol || labels_.count(index) > 0) {
+    return file_.report(kinds::kLabelTwice, name, file_.quotedAt(name));
+  }
+  Symbol symbol;
+  symbol.kind = SymbolKind::Label;
+  symbol.file = file_.file();
+  symbol.node = node;
+  symbol.owner = routine_;
+  symbol.name = file_.source().textOf(name);
+  const SymbolIndex added = draft_.add(symbol);
+  file_.at(node).symbol = added;
+  labels_[index] = {added, list};
+}
+
+void RoutineScope::bindGoto(NodeIndex node, const std::vector<NodeIndex>& blocks) {
+  const TokenIndex name = file_[node].name;
+  if (!file_.isName(name)) return;
+  const auto found = labels_.find(file_.nameAt(name));
+  if (found == labels_.end()) return file_.reportNear(kinds::kNoLabel, name, nearestLabel(name));
+  file_.at(node).symbol = found->second.symbol;
+  if (std::find(blocks.begin(), blocks.end(), found->second.list) == blocks.end()) {
+    file_.report(kinds::kLabelInside, name, file_.quotedAt(name));
+  }
+}
+
+std::string RoutineScope::nearestLabel(TokenIndex name) const {
+  if (!file_.maySearch()) return {};
+  std::vector<std::string_view> names;
+  for (const auto& [index, label] : labels_) names.push_back(draft_.symbol(label.symbol).name);
+  return nearestName(file_.source().textOf(name), names);
+}
+
+}  // namespace cobot_command::rapid
