@@ -13,7 +13,7 @@
 #include "cobot_command/blocks/check_sequence.h"
 #include "cobot_command/common/foreign_text.h"
 #include "cobot_command/common/given.h"
-#include "cobot_command/files/steps_file.h"
+#include "cobot_command/files/steps/steps_file.h"
 
 namespace cobot_command::cell {
 

@@ -7,7 +7,7 @@
 
 #include "cobot_command/arm/controller_pose.h"
 #include "cobot_command/common/units.h"
-#include "cobot_command/files/steps_file.h"
+#include "cobot_command/files/steps/steps_file.h"
 
 namespace cobot_command::cell {
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "cobot_command/arm/controller_pose.h"
-#include "cobot_command/files/steps_file.h"
+#include "cobot_command/files/steps/steps_file.h"
 
 namespace cobot_command::cell {
 

@@ -4,7 +4,7 @@
 
 #include "files/named_file.h"
 
-#include "cobot_command/files/steps_file.h"
+#include "cobot_command/files/steps/steps_file.h"
 
 namespace cobot_command::ros_adapter {
 namespace {

@@ -9,6 +9,7 @@
 #include "../command_line.h"
 #include "../setting_options.h"
 #include "../written_output.h"
+#include "check_command.h"
 #include "exit_status.h"
 #include "format_command.h"
 #include <CLI/CLI.hpp>
@@ -22,7 +23,10 @@ using namespace cobot_command;
 /// The subcommands, each with its options and what it does.
 class Commands {
  public:
-  explicit Commands(CLI::App& app) : app_(app) { addFormat(); }
+  explicit Commands(CLI::App& app) : app_(app) {
+    addCheck();
+    addFormat();
+  }
 
   /// Throws what only the options of the given subcommand together show to be wrong.
   void check() const {
@@ -45,6 +49,13 @@ class Commands {
     std::function<int()> run;
   };
 
+  void addCheck() {
+    CLI::App* command = app_.add_subcommand("check", "Report all findings of the modules of a program");
+    command->add_option("FILE", check_.files, "The modules, or - for standard input")->type_name("")->required();
+    tools::addOptions(*command, tools::checkTable(check_));
+    commands_.push_back({command, [] { return std::string(); }, [this] { return tools::check(check_); }});
+  }
+
   void addFormat() {
     CLI::App* command = app_.add_subcommand("format", "Print a file in canonical form");
     command->add_option("FILE", format_.file, "A module, or - for standard input")->type_name("")->required();
@@ -55,6 +66,7 @@ class Commands {
 
   CLI::App& app_;
   std::vector<Command> commands_;
+  tools::CheckCommand check_;
   tools::FormatOptions format_;
 };
 

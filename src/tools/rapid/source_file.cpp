@@ -10,7 +10,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "cobot_command/common/result.h"
 #include "cobot_command/rapid/source/limits.h"
 
 namespace cobot_command::tools {
@@ -53,14 +52,6 @@ Result<std::string, std::string> readUpTo(int descriptor, std::size_t most) {
   return bytes;
 }
 
-Result<std::string, std::string> bytesOf(const std::string& name) {
-  constexpr std::size_t kMost = rapid::kMostFileBytes + 1;  // one more shows that it is too long
-  if (name == kStandardInput) return readUpTo(STDIN_FILENO, kMost);
-  const OpenFile file(::open(name.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file.isOpen()) return refuse(lastError());
-  return readUpTo(file.descriptor(), kMost);
-}
-
 /// False with errno.
 bool writeAll(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
@@ -89,6 +80,14 @@ bool fill(OpenFile& file, std::string_view bytes, const struct stat& old) {
 }
 
 }  // namespace
+
+Result<std::string, std::string> bytesOf(const std::string& name) {
+  constexpr std::size_t kMost = rapid::kMostFileBytes + 1;  // one more shows that it is too long
+  if (name == kStandardInput) return readUpTo(STDIN_FILENO, kMost);
+  const OpenFile file(::open(name.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.isOpen()) return refuse(lastError());
+  return readUpTo(file.descriptor(), kMost);
+}
 
 rapid::Source readSourceFile(const std::string& name, const rapid::ReadOptions& options) {
   const auto bytes = bytesOf(name);

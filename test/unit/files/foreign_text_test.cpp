@@ -4,7 +4,7 @@
 #include "foreign_bytes.h"
 #include <gmock/gmock.h>
 
-#include "cobot_command/files/steps_file.h"
+#include "cobot_command/files/steps/steps_file.h"
 
 namespace cobot_command::files {
 namespace {

@@ -1,4 +1,4 @@
-#include "cobot_command/files/steps_file.h"
+#include "cobot_command/files/steps/steps_file.h"
 
 #include <array>
 
