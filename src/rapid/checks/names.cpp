@@ -32,7 +32,9 @@ bool mayBeNear(std::string_view left, const Letters& letters, std::string_view r
 }  // namespace
 
 std::string nearestName(std::string_view written, const std::vector<std::string_view>& names) {
+  constexpr std::size_t kShortest = 3;  // of two letters almost every name is near
   const std::string word = folded(written);
+  if (word.size() < kShortest) return {};
   const Letters letters = lettersOf(word);
   std::vector<std::string> candidates;
   std::vector<std::string_view> as_written;

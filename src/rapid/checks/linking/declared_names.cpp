@@ -1,4 +1,6 @@
 // Names of modules, and what they declare.
+#include <utility>
+
 #include "linking/linker.h"
 #include <fmt/format.h>
 
@@ -44,9 +46,11 @@ class NameDeclarations {
  private:
   void module(FileDraft& file, NodeIndex node) {
     if (files_.modules.size() == kMostModules) {
-      file.report(kinds::kManyModules, file[node].first, kMostModules);
+      if (!std::exchange(has_too_many_, true)) {
+        file.report(kinds::kManyModules, file[node].first, kMostModules);
+}
+      return;
     }
-    if (files_.modules.size() >= kMostModules) return;
     Symbol symbol;
     symbol.kind = SymbolKind::Module;
     symbol.file = file.file();
@@ -157,6 +161,7 @@ class NameDeclarations {
 
   Draft& draft_;
   LinkedFiles& files_;
+  bool has_too_many_ = false;
 };
 
 }  // namespace
