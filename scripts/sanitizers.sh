@@ -3,9 +3,11 @@
 # The rooms that read the data of a peer, those that process them, and the rooms that these use. Their tests run once with
 # every change, with sanitizers, in their own build; the complete build leaves them out then. Quick tests (corpora) run in
 # both.
-readonly core_tests=(allocation automata blocks capabilities cell_agent cell_artifact cell_model cell_monitor cell_program
-  cell_supervision command common files kinematics link peers protocol robot script simulator tables tm_script
-  dynamics follow_joint_trajectory hostile io_failures paths project_values runtime runtime_parts synchronisation transport)
+readonly core_tests=(allocation automata blocks capabilities cell_agent cell_artifact cell_model cell_monitor
+  cell_program cell_supervision command common files kinematics link peers protocol rapid_checks rapid_source
+  rapid_types robot script simulator tables tm_script
+  dynamics follow_joint_trajectory hostile io_failures paths project_values runtime runtime_parts synchronisation
+  transport)
 core_tests_pattern=$(IFS='|' && echo "^((${core_tests[*]})[.]|fuzz[.]|locale[.](${core_tests[*]})_)")
 readonly core_tests_pattern
 # Both nodes as processes: goals and cancels of four clients at once, connections opened and lost, ends and kills.
