@@ -1,11 +1,12 @@
-// What reading and formatting RAPID costs, as ratios of two sides that are measured alternately in one run: a
-// time alone depends more on the machine than on the code. Figures: doc/rapid.md.
+// What reading, checking and formatting RAPID costs, as ratios of two sides that are measured alternately in
+// one run: a time alone depends more on the machine than on the code. Figures: doc/rapid.md.
 //
 //   build/release/benchmark/rapid_benchmark     # a release build, a quiet machine
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <ctime>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +15,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include "cobot_command/rapid/checks/check.h"
 #include "cobot_command/rapid/source/printer.h"
 #include "cobot_command/rapid/source/source.h"
 #include "cobot_command/rapid/types/predefined.h"
@@ -82,6 +84,21 @@ double median(std::vector<double> times) {
   std::nth_element(times.begin(), middle, times.end());
   return *middle;
 }
+
+/// Counter: check_by_parse (at most 2, goal 1), of the check alone.
+void checking(benchmark::State& run) {
+  const std::string text = moduleOf(static_cast<int>(run.range(0)));
+  std::vector<double> parses;
+  std::vector<double> checks;
+  static_cast<void>(check({}, {}));
+  for (auto _ : run) {
+    std::shared_ptr<const Source> source;
+    parses.push_back(timed([&] { source = std::make_shared<const Source>(readSource(text)); }));
+    checks.push_back(timed([&] { benchmark::DoNotOptimize(check({{"moves.mod", source}}, {})); }));
+  }
+  run.counters["check_by_parse"] = median(std::move(checks)) / median(std::move(parses));
+}
+BENCHMARK(checking)->Arg(20000)->Iterations(25)->Unit(benchmark::kMillisecond);
 
 /// Counters: parse_by_scan (at most 60, goal 25), format_by_parse (at most 3, goal 2), MB_per_s of the
 /// parser.

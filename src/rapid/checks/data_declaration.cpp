@@ -49,7 +49,8 @@ TypeIndex DataDeclaration::withDimensions(TypeIndex element, NodeIndex data) {
     const Typed typed = expressions_.check(child);
     const Cell* const size = typed.type == kNum ? expressions_.valueOf(typed) : nullptr;
     const bool is_size = size != nullptr && *size >= 1 && *size == std::trunc(*size);
-    if (!is_size && errors == file_.errors()) file_.reportNode(kinds::kDimension, child);
+    const bool is_open = errors != file_.errors() || draft_.is_too_large;  // then nothing is folded
+    if (!is_size && !is_open) file_.reportNode(kinds::kDimension, child);
     if (!is_size) return kNoType;
     sizes.at(dimensions++) = static_cast<std::uint32_t>(std::min(*size, 1E9F));
     elements *= sizes.at(dimensions - 1U);

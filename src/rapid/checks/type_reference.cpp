@@ -21,9 +21,9 @@ bool isSignalType(const Type& type) {
 void reportRefused(FileDraft& file, TokenIndex name, const Symbol& symbol) {
   if (symbol.kind == SymbolKind::Refused) {
     const Refusal& refusal = refusals()[symbol.index];
-    return file.report(kinds::kNotSupported, name, symbol.name, refusal.reason, refusal.way_around);
+    return file.report(kinds::kNotSupported, name, file.quotedAt(name), refusal.reason, refusal.way_around);
   }
-  file.report(kinds::kNotSupported, name, symbol.name, "not built yet",
+  file.report(kinds::kNotSupported, name, file.quotedAt(name), "not built yet",
               "--skip passes over a call of an instruction");
 }
 

@@ -7,6 +7,7 @@
 #include "own_folder.h"
 #include "source_tree.h"
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 #include <sys/stat.h>
 #include <sys/wait.h>
 
@@ -187,6 +188,75 @@ TEST(Rapid, explainsItself) {
 
 TEST(Rapid, reportsThatItsAnswerCannotBeWritten) {
   EXPECT_EQ(run("format " + inSourceTree("test/data/rapid/16_format_in.mod") + " >/dev/full").status, 3);
+}
+
+TEST(RapidCheck, reportsFindingsAsACompilerAndEndsWithOne) {
+  const OwnFolder folder;
+  const std::string file = folder.file("a.mod", "MODULE m\nPROC main()\nMovL p,v100;\nENDPROC\nENDMODULE\n");
+  const Outcome outcome = run("check " + file);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.output,
+            file + ":3:1: error E501: there is no procedure 'MovL'; did you mean MoveL?\nMovL p,v100;\n^\n");
+}
+
+TEST(RapidCheck, isQuietAboutAProgramWithoutFindings) {
+  const std::string programs = inSourceTree("test/data/rapid/programs/");
+  const Outcome outcome = run("check --signals " + programs + "sorting.yaml " + programs +
+                              "sorting_main.mod " + programs + "sorting_bins.mod");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.output, IsEmpty());
+}
+
+TEST(RapidCheck, warnsOfOldConfigurationsOfRobotAAlone) {
+  const std::string config = inSourceTree("config/rapid/");
+  const std::string arguments = "--signals " + config + "robot_a.yaml " + config + "robot_a.mod";
+  EXPECT_EQ(run("check " + arguments + " | grep -c 'warning W322'").output, "4\n");
+  EXPECT_EQ(run("check " + arguments + " | grep -c ': error'").output, "0\n");
+  EXPECT_EQ(run("check " + arguments).status, 0);
+  EXPECT_EQ(run("check --strict " + arguments).status, 1);
+}
+
+TEST(RapidCheck, writesJson) {
+  const OwnFolder folder;
+  const std::string file = folder.file("a.mod", "MODULE m\nPROC main()\na:=1;\nENDPROC\nENDMODULE\n");
+  const Outcome outcome = run("check --json " + file);
+  EXPECT_EQ(outcome.status, 1);
+  const auto rows = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(rows, nlohmann::json::array({{{"file", file},
+                                          {"id", "E401"},
+                                          {"severity", "error"},
+                                          {"line", 3},
+                                          {"column", 1},
+                                          {"text", "'a' is not declared"},
+                                          {"end_line", 3},
+                                          {"end_column", 2}}}));
+  EXPECT_EQ(run("check --json --library -", "printf 'MODULE m ENDMODULE' | ").output, "[]\n");
+}
+
+TEST(RapidCheck, reportsASignalFileThatIsWrong) {
+  const OwnFolder folder;
+  const std::string signals = folder.file("s.yaml", "a: {type: di, virtual: true}\nb: {type: dx}\n");
+  const Outcome outcome =
+      run("check --library --signals " + signals + " -", "printf 'MODULE m ENDMODULE' | ");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.output, HasSubstr(signals + ":2:11: error E905: signal file: type is something else"));
+  EXPECT_THAT(
+      run("check --library --signals " + folder.file("none") + " -", "printf 'MODULE m ENDMODULE' | ").output,
+      HasSubstr("none:1:1: error E905: signal file: cannot be read: No such file or directory"));
+}
+
+TEST(RapidCheck, passesOverWhatIsSkipped) {
+  const std::string text = "printf 'MODULE m PROC main() ActUnit a; Foo 1; ENDPROC ENDMODULE' | ";
+  EXPECT_EQ(run("check -", text).status, 1);
+  EXPECT_EQ(run("check --skip ActUnit,foo -", text).status, 0);
+  EXPECT_EQ(run("check --skip ActUnit,,foo -", text).status, 2);
+}
+
+TEST(RapidCheck, refusesWhatIsNoOption) {
+  EXPECT_EQ(run("check").status, 2);
+  EXPECT_EQ(run("check --arm tm5-900 a.mod").status, 2);
+  EXPECT_EQ(run("check --dialect s5 a.mod").status, 2);
+  EXPECT_THAT(run("check /nowhere/a.mod").output, HasSubstr("E901: cannot be read"));
 }
 
 }  // namespace

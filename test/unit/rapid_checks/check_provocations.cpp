@@ -138,6 +138,8 @@ const std::vector<CheckProvocation>& checkProvocations() {
        "welddata is known but not supported: process packages are modules in RAPID, not built yet; TriggL "
        "and "
        "signals"},
+      {"E502", "MoveL t,v100,fine,tool0\\Corr;", 1, 25,
+       "Corr is known but not supported: no motion is corrected while it runs; PDispSet between moves"},
       {"E503", "MoveL t,v100,fine;", 1, 18, "argument Tool is missing"},
       {"E504", "go 1,2;", 1, 6, "one argument too many"},
       {"E505", "go 1\\Q:=1;", 1, 6, "no optional argument '\\Q'"},
@@ -167,6 +169,7 @@ const std::vector<CheckProvocation>& checkProvocations() {
       {"E607", "ERROR RAISE 5;", 1, 13, "in a handler RAISE has no number"},
       {"E608", "RAISE;", 1, 1, "outside of a handler RAISE needs a number"},
       {"W609", "RAISE 91;", 1, 7, "91 is neither 1 to 90 nor booked"},
+      {"W609", "RAISE ERR_DIVZERO;", 1, 7, "ERR_DIVZERO is neither 1 to 90 nor booked"},
       {"E610", "FOR n FROM 1 TO 2 STEP 0 DO ENDFOR", 1, 24, "STEP 0 never ends"},
       {"W610", "FOR n FROM 1 TO 2 STEP 0.1 DO ENDFOR", 1, 24, "numbers that are not whole may miss the end"},
       {"W611", "EXIT; a:=1;", 1, 7, "nothing gets here"},

@@ -87,7 +87,7 @@ std::string rowsOfPage() {
   for (const CheckProvocation& row : checkProvocations()) add(row.id, row.text, row.message);
   add("E327", "", "a program has at most 64 modules");
   add("E905", "", "signal file: di at ControlBox 0 is used twice");
-  // By number: W306 is beside E306.
+  // By number: W306 is next to E306.
   std::vector<std::pair<std::string_view, std::string>> ordered(rows.begin(), rows.end());
   std::sort(ordered.begin(), ordered.end(), [](const auto& left, const auto& right) {
     return std::pair(left.first.substr(1), left.first) < std::pair(right.first.substr(1), right.first);

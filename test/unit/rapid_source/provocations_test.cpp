@@ -47,7 +47,7 @@ TEST(RapidFindings, haveAProvocationForEachKind) {
 }
 
 TEST(RapidFindings, areOnThePage) {
-  std::ifstream file(test_support::inSourceTree("doc/rapid.md"));
+  std::ifstream file(test_support::inSourceTree("doc/rapid-findings.md"));
   const std::string page{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   for (const FindingKind& kind : kReadingFindings) {
     EXPECT_NE(page.find("| " + std::string(kind.id) + " |"), std::string::npos) << kind.id;

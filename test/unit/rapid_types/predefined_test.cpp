@@ -35,11 +35,11 @@ TEST(RapidPredefined, findsRoutinesTypesAndDataByTheirNames) {
 }
 
 TEST(RapidPredefined, knowsTheNamesThatAreRefusedWithReasonAndWayAround) {
-  EXPECT_EQ(refusals().size(), 67U);
+  EXPECT_EQ(refusals().size(), 72U);
   EXPECT_EQ(refusals().front().name, "ActUnit");
   EXPECT_EQ(refusals().front().reason, "the arm has six axes and no others");
   EXPECT_EQ(refusals().front().way_around, "leave external axes 9E9, or --skip");
-  EXPECT_EQ(refusals().back().name, "testsignal");
+  EXPECT_EQ(refusals().back().name, "TUNE_TI");
   for (const Refusal& refusal : refusals()) {
     EXPECT_FALSE(refusal.reason.empty()) << refusal.name;
     EXPECT_FALSE(refusal.way_around.empty()) << refusal.name;
@@ -53,7 +53,7 @@ TEST(RapidPredefined, tellsApartWhatIsBuiltAndWhatEachDialectHas) {
   EXPECT_TRUE(isNotBuilt(predefinedNames().find("bitcheck").node));
   for (const char* name : {"z0", "calcrobt", "bitcheck", "gettaskname"}) {
     EXPECT_TRUE(isOfIrc5Alone(name)) << name;
-}
+  }
   for (const char* name : {"z1", "movel", "readbin", "mine"}) EXPECT_FALSE(isOfIrc5Alone(name)) << name;
 }
 

@@ -21,8 +21,8 @@ namespace cobot_command::rapid {
 
 inline constexpr std::size_t kMostModules = 64;  ///< of a program, predefined ones not counted
 
-/// What a node stands for. Of an Operation: the type of its chain up to it. A part that a node has not, or
-/// that an error leaves open, is missing.
+/// What a node stands for. Of an Operation: the type of its chain up to it. A value that a node does not
+/// have, or that an error leaves open, is missing.
 struct Meaning {
   /// Of a declaration, For, Label, Goto, Connect (the trap), Call, Function, Reference: the symbol of its
   /// name. Of an Argument: the parameter. Of a Part: the position of the component in its record.

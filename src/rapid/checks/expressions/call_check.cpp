@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <array>
 
+#include "type_reference.h"
+
 namespace cobot_command::rapid {
 
 namespace {
 
 /// Functions that take the name of data, not its value.
 constexpr std::array<std::string_view, 5> kTakeNames{"Present", "Dim", "IsPers", "IsVar", "ArgName"};
+/// An option that is not supported, for the reason of this instruction.
+constexpr std::string_view kRefusedOption = "Corr";
+constexpr std::string_view kRefusedWith = "corrcon";
 /// Parameters of a routine that are compared one by one.
 constexpr std::uint32_t kFewParameters = 32;
 
@@ -58,7 +63,7 @@ void CallCheck::check(NodeIndex call, SymbolIndex routine) {
 bool CallCheck::required(NodeIndex argument, Progress& progress) {
   while (progress.next < routine_.parameters && parameter(progress.next).has(Symbol::Optional)) {
     ++progress.next;
-}
+  }
   if (progress.next == routine_.parameters) {
     file_.reportNode(kinds::kSurplusArgument, argument);
     return false;
@@ -96,7 +101,7 @@ SymbolIndex CallCheck::parameterNamed(TokenIndex name) {
     parameters_.clear();
     for (SymbolIndex at = first; at < first + routine_.parameters; ++at) {
       parameters_.emplace(folded_name(at), at);
-}
+    }
     parameters_of_ = first;
   }
   const auto found = parameters_.find(wanted);
@@ -120,6 +125,8 @@ void CallCheck::option(NodeIndex argument, Progress& progress) {
     return;
   }
   file_.at(argument).symbol = found;
+  const bool is_refused = routine_.file < kPredefinedFiles && draft_.symbol(found).name == kRefusedOption;
+  if (is_refused) return reportRefused(file_, name, draft_.symbol(draft_.parts.predefined.at(kRefusedWith)));
   checkOrder(name, found, progress);
   optionValue(argument, draft_.symbol(found));
 }

@@ -58,7 +58,7 @@ Typed ExpressionCheck::checkKind(NodeIndex node, TypeIndex context) {
       return negation(node);
     case NodeKind::Chain:
       return chain(node);
-    default:  // what is left open: a placeholder, `*`
+    default:  // a placeholder, `*`: of unknown type
       return {};
   }
 }

@@ -9,7 +9,7 @@
 
 namespace cobot_command::rapid {
 
-/// Nothing tells what an aggregate is.
+/// It is unknown what an aggregate is used as.
 inline constexpr TypeIndex kNoContext = std::numeric_limits<TypeIndex>::max();
 
 struct Typed {
@@ -32,7 +32,8 @@ class ExpressionCheck {
   [[nodiscard]] FileDraft& file() const { return file_; }
   [[nodiscard]] Names& names() const { return names_; }
 
-  /// `context`: what an aggregate is used as; kNoContext: unknown (E406); kNoType: left open by an error.
+  /// `context`: what an aggregate is used as; kNoContext: unknown (E406); kNoType: unknown because of an
+  /// error.
   Typed check(NodeIndex node, TypeIndex context = kNoContext);
   /// Reports E404 if the type does not fit.
   Typed expect(NodeIndex node, TypeIndex type);

@@ -12,7 +12,7 @@ namespace cobot_command::rapid {
 /// language, relations without `=` and `<>`.
 [[nodiscard]] TypeIndex typeOfOperation(const Draft& draft, TokenKind op, TypeIndex left, TypeIndex right);
 
-/// The value of such an operation, in cells; std::nullopt if only a run can say what it is: an error, or a
+/// The value of such an operation, in cells; std::nullopt if it has none: an error, or a
 /// result beyond single precision.
 [[nodiscard]] std::optional<std::vector<Cell>> valueOfOperation(const Draft& draft, TokenKind op,
                                                                 TypeIndex left_type, const Cell* left,

@@ -122,11 +122,11 @@ Typed ExpressionCheck::sign(NodeIndex node, TypeIndex context) {
   const bool is_minus = file_[node].word == TokenKind::Minus;
   if (file_[operand].kind == NodeKind::Number && is_minus) {
     const Typed positive = number(operand);
+    file_.at(operand).type = kNum;
     // In the place of the number, so that the parts of an aggregate stay one after another.
     if (positive.constant != kNoConstant) {
       Cell* const cell = draft_.cells(positive.constant);
       *cell = numCell(-*cell);
-      file_.at(operand).constant = kNoConstant;
     }
     return positive;
   }

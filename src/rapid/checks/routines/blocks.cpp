@@ -107,7 +107,7 @@ void RoutineCheck::testInstruction(NodeIndex node) {
   for (const NodeIndex child : file_.tree().children(node)) {
     const Node& at = file_[child];
     if (at.kind == NodeKind::Case || at.kind == NodeKind::DefaultCase) {
-      has_default = at.kind == NodeKind::DefaultCase;  // nothing may stand behind it (E615)
+      has_default = at.kind == NodeKind::DefaultCase;  // nothing may follow it (E615)
       for (const NodeIndex value : file_.tree().children(child)) {
         if (!at.has(Node::Faulty) && isExpression(file_[value].kind)) caseValue(value, type, values);
       }

@@ -3,8 +3,6 @@
 #include <cmath>
 
 #include "type_reference.h"
-#include <fmt/format.h>
-
 namespace cobot_command::rapid {
 
 namespace {
@@ -24,7 +22,7 @@ void RoutineCheck::check(SymbolIndex routine) {
   for (const NodeIndex child : file_.tree().children(node)) {
     if (file_[child].kind == NodeKind::Handler && file_[child].word == TokenKind::Error) {
       has_error_handler_ = true;
-}
+    }
   }
   for (const NodeIndex child : file_.tree().children(node)) {
     if (file_[child].kind == NodeKind::Handler) handler(child);
@@ -114,7 +112,7 @@ void RoutineCheck::simpleInstruction(NodeIndex node) {
       break;
     case NodeKind::Raise:
       if (!is_faulty) raise(node);
-      // The handler of a body may go on behind it.
+      // TRYNEXT of the handler continues after it.
       if (handler_ == TokenKind::End && has_error_handler_) return;
       break;
     case NodeKind::Retry:
@@ -141,9 +139,9 @@ void RoutineCheck::assignment(NodeIndex node) {
 }
 
 bool RoutineCheck::isPassedOver(TokenIndex name) {
-  auto& asked = draft_.skipped;
-  const auto found = asked.find(std::string(file_.foldedAt(name)));
-  if (found == asked.end()) return false;
+  auto& skipped = draft_.skipped;
+  const auto found = skipped.find(std::string(file_.foldedAt(name)));
+  if (found == skipped.end()) return false;
   if (!std::exchange(found->second, true)) file_.report(kinds::kPassedOver, name, file_.quotedAt(name));
   return true;
 }
@@ -238,7 +236,10 @@ void RoutineCheck::raise(NodeIndex node) {
   const Cell* const value = typed.type == kNum ? expressions_.valueOf(typed) : nullptr;
   if (value == nullptr) return;
   const bool is_allowed = *value >= 1 && *value <= kMostErrorNumber && *value == std::trunc(*value);
-  if (!is_allowed) file_.reportNode(kinds::kErrorNumber, number, fmt::format("{:.7g}", *value));
+  if (is_allowed) return;
+  const Span span = file_.source().spanOf(number);
+  const std::string_view written = file_.source().text().substr(span.begin, span.end - span.begin);
+  file_.reportNode(kinds::kErrorNumber, number, quoted(written));
 }
 
 void RoutineCheck::requireHandler(NodeIndex node) {
