@@ -6,6 +6,7 @@
 
 #include "cobot_command/common/foreign_text.h"
 #include "cobot_command/rapid/checks/signal_file.h"
+#include "cobot_command/rapid/source/name_table.h"
 
 using namespace cobot_command;
 using namespace cobot_command::rapid;

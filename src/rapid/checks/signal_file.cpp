@@ -6,10 +6,9 @@
 #include <set>
 #include <tuple>
 
-#include <fmt/format.h>
-
 #include "check_kinds.h"
 #include "reporting.h"
+#include <fmt/format.h>
 
 #include "cobot_command/files/yaml_map.h"
 #include "cobot_command/rapid/source/dialect.h"
@@ -92,7 +91,9 @@ class SignalReader {
       refuseNode(key, fmt::format("'{}' has more than {} letters", shown, lettersAllowedBy(Dialect::Irc5)));
     }
     const std::string small = folded(name);
-    if (!names_.insert(small).second) refuseNode(key, fmt::format("'{}' is there twice; case does not count", shown));
+    if (!names_.insert(small).second) {
+      refuseNode(key, fmt::format("'{}' is there twice; case does not count", shown));
+    }
     if (!predefinedNames().find(small).written.empty()) {
       refuseNode(key, fmt::format("'{}' is a predefined name of RAPID", shown));
     }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "types/embedded_modules.h"
+#include "embedded_modules.h"
 
 #include "cobot_command/rapid/types/type_table.h"
 

@@ -42,8 +42,12 @@ Result<std::vector<std::string>, std::string> namesIn(const std::string& text) {
 Result<std::vector<rapid::Signal>, SignalFileFault> signalsOf(const std::string& file) {
   if (file.empty()) return std::vector<rapid::Signal>{};
   const auto bytes = bytesOf(file);
-  if (!bytes) return refuse(SignalFileFault{1, 1, "signal file: cannot be read: " + foreignText(bytes.error())});
-  if (bytes->size() > rapid::kMostFileBytes) return refuse(SignalFileFault{1, 1, "signal file: longer than 16 MiB"});
+  if (!bytes) {
+    return refuse(SignalFileFault{1, 1, "signal file: cannot be read: " + foreignText(bytes.error())});
+  }
+  if (bytes->size() > rapid::kMostFileBytes) {
+    return refuse(SignalFileFault{1, 1, "signal file: longer than 16 MiB"});
+  }
   return rapid::readSignalFile(*bytes);
 }
 
@@ -70,7 +74,9 @@ class Report {
       row(file, finding.id, finding.severity(), finding.text, source.placeOf(finding.span.begin),
           source.placeOf(finding.span.end));
     } else {
-      for (const std::string& line : findingLines(source, finding, file)) std::cout << forPeople(line) << '\n';
+      for (const std::string& line : findingLines(source, finding, file)) {
+        std::cout << forPeople(line) << '\n';
+      }
     }
   }
 
@@ -106,7 +112,9 @@ class Report {
 
 SettingTable checkTable(CheckCommand& command) {
   using rapid::Dialect;
-  const auto show = [](const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ",")); };
+  const auto show = [](const std::vector<std::string>& names) {
+    return fmt::format("{}", fmt::join(names, ","));
+  };
   return {
       {"dialect",
        setting_kinds::choice<Dialect>(command.dialect, {{"irc5", Dialect::Irc5}, {"s4c", Dialect::S4c}}),

@@ -51,7 +51,9 @@ class Commands {
 
   void addCheck() {
     CLI::App* command = app_.add_subcommand("check", "Report all findings of the modules of a program");
-    command->add_option("FILE", check_.files, "The modules, or - for standard input")->type_name("")->required();
+    command->add_option("FILE", check_.files, "The modules, or - for standard input")
+        ->type_name("")
+        ->required();
     tools::addOptions(*command, tools::checkTable(check_));
     commands_.push_back({command, [] { return std::string(); }, [this] { return tools::check(check_); }});
   }

@@ -86,7 +86,7 @@ TEST_P(RapidCheckedFixture, hasExactlyItsFindings) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     for (std::string& line : idsAndPlaces(*files[i].source, checked.findings[i])) {
       found.push_back(std::move(line));
-}
+    }
   }
   EXPECT_THAT(found, ElementsAreArray(expectedFindings(fixture)));
 }

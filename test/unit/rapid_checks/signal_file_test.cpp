@@ -58,14 +58,17 @@ TEST(RapidSignalFile, isRefusedWithTheLineAndTheReason) {
             "2: signal file: index of do at EndModule is from 0 to 3");
   EXPECT_EQ(second("b: {type: ai, module: EndModule, index: 1}"),
             "2: signal file: index of ai at EndModule is from 0 to 0");
-  EXPECT_EQ(second("b: {type: ao, module: EndModule, index: 0}"), "2: signal file: there is no ao at EndModule");
+  EXPECT_EQ(second("b: {type: ao, module: EndModule, index: 0}"),
+            "2: signal file: there is no ao at EndModule");
   EXPECT_EQ(second("b: {type: di, module: ControlBox, index: 0.5}"),
             "2: signal file: index of di at ControlBox is from 0 to 15");
   EXPECT_EQ(second("b: {type: dx, virtual: true}"),
             "2: signal file: type is something else; it must be one of: di, do, gi, go, ai, ao");
-  EXPECT_EQ(second("b: {type: di, virtual: true, index: 1}"), "2: signal file: a virtual signal has no index");
+  EXPECT_EQ(second("b: {type: di, virtual: true, index: 1}"),
+            "2: signal file: a virtual signal has no index");
   EXPECT_EQ(second("b: {type: di, index: 1}"), "2: signal file: module is missing");
-  EXPECT_EQ(second("b: {type: go, module: ControlBox, index: 1}"), "2: signal file: a group has bits, no index");
+  EXPECT_EQ(second("b: {type: go, module: ControlBox, index: 1}"),
+            "2: signal file: a group has bits, no index");
   EXPECT_EQ(second("b: {type: di, module: ControlBox, bits: [1]}"), "2: signal file: bits are for gi and go");
   EXPECT_EQ(second("b: {type: go, virtual: true, bits: 17}"), "2: signal file: a group has 1 to 16 bits");
   EXPECT_EQ(second("b: {type: do, virtual: true, initial: 2}"),
@@ -73,10 +76,12 @@ TEST(RapidSignalFile, isRefusedWithTheLineAndTheReason) {
   EXPECT_EQ(second("b: {type: ao, virtual: true, initial: 11}"), "2: signal file: initial is from -10 to 10");
   EXPECT_EQ(second("b: {type: ai, virtual: true, inverted: true}"),
             "2: signal file: an analog signal is not inverted");
-  EXPECT_EQ(second("A: {type: di, virtual: true}"), "2: signal file: 'A' is there twice; case does not count");
+  EXPECT_EQ(second("A: {type: di, virtual: true}"),
+            "2: signal file: 'A' is there twice; case does not count");
   EXPECT_EQ(second("1b: {type: di, virtual: true}"), "2: signal file: '1b' is no name of RAPID");
   EXPECT_EQ(second("for: {type: di, virtual: true}"), "2: signal file: 'for' is no name of RAPID");
-  EXPECT_EQ(second("MoveL: {type: di, virtual: true}"), "2: signal file: 'MoveL' is a predefined name of RAPID");
+  EXPECT_EQ(second("MoveL: {type: di, virtual: true}"),
+            "2: signal file: 'MoveL' is a predefined name of RAPID");
   EXPECT_EQ(faultOf("a: [1"), "1: signal file: not YAML: end of sequence flow not found");
   EXPECT_EQ(faultOf("- a"), "1: signal file: it must be a map from names to signals");
 }

@@ -48,7 +48,7 @@ class NameDeclarations {
     if (files_.modules.size() == kMostModules) {
       if (!std::exchange(has_too_many_, true)) {
         file.report(kinds::kManyModules, file[node].first, kMostModules);
-}
+      }
       return;
     }
     Symbol symbol;
