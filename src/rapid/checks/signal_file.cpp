@@ -81,7 +81,7 @@ class SignalReader {
   }
 
   std::string nameOf(const YAML::Node& key) {
-    const std::string name = key.IsScalar() ? key.Scalar() : "";
+    std::string name = key.IsScalar() ? key.Scalar() : "";
     const Source source = readSource(name);
     const bool is_name = source.findings().size() == 1 && source.tokens().size() == 2 &&
                          source.tokens().front().kind == TokenKind::Name;
