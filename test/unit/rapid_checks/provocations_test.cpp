@@ -48,7 +48,7 @@ TEST(RapidCheckFindings, haveAProvocationForEachKind) {
   }
 }
 
-TEST(RapidCheckFindings, areFrameWithoutFindings) {
+TEST(RapidCheckFindings, haveAFrameWithoutFindings) {
   const CheckedProgram checked = checkedText(frame("a:=1;").text, frameOptions());
   EXPECT_THAT(checked.findings.front(), SizeIs(0));
 }
