@@ -34,6 +34,12 @@ TEST(RapidScope, jumpsOutOfBlocksAndWithinThem) {
   EXPECT_THAT(findingsInMain("GOTO l; ERROR l: TRYNEXT;"), ElementsAre("E602 3:6"));
 }
 
+TEST(RapidScope, jumpsWithinTheBlockOfACompactIf) {
+  EXPECT_THAT(findingsInMain("IF reg1<3 WHILE reg1<3 DO in: Incr reg1; GOTO in; ENDWHILE"), IsEmpty());
+  EXPECT_THAT(findingsInMain("IF reg1<3 WHILE reg1<3 DO in: Incr reg1; ENDWHILE GOTO in;"),
+              ElementsAre("E602 3:56"));
+}
+
 TEST(RapidEchoes, doNotFollowAnUnknownName) {
   EXPECT_THAT(findingsInMain("reg1:=unknown.x{1}+2;"), ElementsAre("E401 3:7"));
   EXPECT_THAT(findingsInMain("unknown 1,other,[1,2];"), ElementsAre("E501 3:1"));

@@ -113,6 +113,25 @@ static_assert(sizeof(Node) == 24);
   return kind >= NodeKind::Number;
 }
 
+/// A List, and what has lists or an instruction: a block, a branch of one, a compact IF.
+[[nodiscard]] constexpr bool containsInstructions(NodeKind kind) {
+  switch (kind) {
+    case NodeKind::List:
+    case NodeKind::If:
+    case NodeKind::Elseif:
+    case NodeKind::Else:
+    case NodeKind::CompactIf:
+    case NodeKind::For:
+    case NodeKind::While:
+    case NodeKind::Test:
+    case NodeKind::Case:
+    case NodeKind::DefaultCase:
+      return true;
+    default:
+      return false;
+  }
+}
+
 class Tree {
  public:
   /// Index of the File, which each tree has.

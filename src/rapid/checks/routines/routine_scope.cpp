@@ -13,10 +13,9 @@ void RoutineScope::enter(SymbolIndex routine) {
   parameters();
   const NodeIndex node = draft_.symbol(routine).node;
   for (const NodeIndex child : file_.tree().children(node)) {
-    if (file_[child].kind == NodeKind::List) list(child);
-    if (file_[child].kind != NodeKind::Handler) continue;
-    const NodeIndex handled = file_.tree().childOf(child, NodeKind::List);
-    if (handled != kNoNode) list(handled);
+    const NodeIndex list =
+        file_[child].kind == NodeKind::Handler ? file_.tree().childOf(child, NodeKind::List) : child;
+    if (list != kNoNode && file_[list].kind == NodeKind::List) instructions(list, list);
   }
 }
 
@@ -28,49 +27,15 @@ void RoutineScope::parameters() {
   }
 }
 
-void RoutineScope::list(NodeIndex list) {
-  for (const NodeIndex child : file_.tree().children(list)) {
+/// `block`: a GOTO to a label here must be in it. A compact IF is one that no GOTO is in.
+void RoutineScope::instructions(NodeIndex node, NodeIndex block) {
+  for (const NodeIndex child : file_.tree().children(node)) {
     file_.countStep();
-    switch (file_[child].kind) {
-      case NodeKind::Data:
-        data(child);
-        break;
-      case NodeKind::Label:
-        label(child, list);
-        break;
-      case NodeKind::If:
-      case NodeKind::For:
-      case NodeKind::While:
-      case NodeKind::Test:
-        branches(child);
-        break;
-      default:
-        break;
-    }
-  }
-}
-
-/// The lists of an instruction, and of its parts. A compact IF has none: its instruction may be a block.
-void RoutineScope::branches(NodeIndex instruction) {
-  for (const NodeIndex child : file_.tree().children(instruction)) {
-    switch (file_[child].kind) {
-      case NodeKind::List:
-        list(child);
-        break;
-      case NodeKind::Elseif:
-      case NodeKind::Else:
-      case NodeKind::Case:
-      case NodeKind::DefaultCase:
-      case NodeKind::CompactIf:
-      case NodeKind::If:
-      case NodeKind::For:
-      case NodeKind::While:
-      case NodeKind::Test:
-        branches(child);
-        break;
-      default:
-        break;
-    }
+    const NodeKind kind = file_[child].kind;
+    if (kind == NodeKind::Data) data(child);
+    if (kind == NodeKind::Label) label(child, block);
+    if (!containsInstructions(kind)) continue;
+    instructions(child, kind == NodeKind::List || kind == NodeKind::CompactIf ? child : block);
   }
 }
 
@@ -114,7 +79,7 @@ void RoutineScope::declare(NodeIndex node, SymbolIndex symbol) {
   names_.set(index, symbol);
 }
 
-void RoutineScope::label(NodeIndex node, NodeIndex list) {
+void RoutineScope::label(NodeIndex node, NodeIndex block) {
   const TokenIndex name = file_[node].name;
   if (!file_.isName(name)) return;
   const NameIndex index = file_.nameAt(name);
@@ -129,7 +94,7 @@ void RoutineScope::label(NodeIndex node, NodeIndex list) {
   symbol.name = file_.source().textOf(name);
   const SymbolIndex added = draft_.add(symbol);
   file_.at(node).symbol = added;
-  labels_[index] = {added, list};
+  labels_[index] = {added, block};
 }
 
 void RoutineScope::bindGoto(NodeIndex node, const std::vector<NodeIndex>& blocks) {
@@ -138,7 +103,7 @@ void RoutineScope::bindGoto(NodeIndex node, const std::vector<NodeIndex>& blocks
   const auto found = labels_.find(file_.nameAt(name));
   if (found == labels_.end()) return file_.reportNear(kinds::kNoLabel, name, nearestLabel(name));
   file_.at(node).symbol = found->second.symbol;
-  if (std::find(blocks.begin(), blocks.end(), found->second.list) == blocks.end()) {
+  if (std::find(blocks.begin(), blocks.end(), found->second.block) == blocks.end()) {
     file_.report(kinds::kLabelInside, name, file_.quotedAt(name));
   }
 }

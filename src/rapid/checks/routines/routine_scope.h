@@ -21,14 +21,13 @@ class RoutineScope {
  private:
   struct Label {
     SymbolIndex symbol = kNoSymbol;
-    NodeIndex list = kNoNode;  ///< where it is
+    NodeIndex block = kNoNode;  ///< where it is
   };
 
   void parameters();
-  void list(NodeIndex list);
-  void branches(NodeIndex instruction);
+  void instructions(NodeIndex node, NodeIndex block);
   void data(NodeIndex node);
-  void label(NodeIndex node, NodeIndex list);
+  void label(NodeIndex node, NodeIndex block);
   void declare(NodeIndex node, SymbolIndex symbol);
   [[nodiscard]] std::string nearestLabel(TokenIndex name) const;
 

@@ -67,28 +67,10 @@ void Declarations::enterRoutine(NodeIndex routine) {
 void Declarations::declareList(NodeIndex list) {
   const Tree& tree = source_.tree();
   for (const NodeIndex node : tree.children(list)) {
-    switch (tree[node].kind) {
-      case NodeKind::Data:
-        declare(routine_, module_types_, node);
-        break;
-      case NodeKind::Label:
-        declare(labels_, module_types_, node);
-        break;
-      case NodeKind::List:
-      case NodeKind::If:
-      case NodeKind::Elseif:
-      case NodeKind::Else:
-      case NodeKind::For:
-      case NodeKind::While:
-      case NodeKind::Test:
-      case NodeKind::Case:
-      case NodeKind::DefaultCase:
-      case NodeKind::CompactIf:
-        declareList(node);
-        break;
-      default:
-        break;
-    }
+    const NodeKind kind = tree[node].kind;
+    if (kind == NodeKind::Data) declare(routine_, module_types_, node);
+    if (kind == NodeKind::Label) declare(labels_, module_types_, node);
+    if (containsInstructions(kind)) declareList(node);
   }
 }
 
