@@ -21,7 +21,7 @@ void addSignals(Draft& draft, const std::vector<Signal>& signals) {
     symbol.index = i;
     symbol.name = signal.name;
     const SymbolIndex added = draft.add(symbol);
-    draft.parts.predefined.emplace(signal.folded, added);
+    draft.parts.names.predefined.emplace(signal.folded, added);
   }
 }
 

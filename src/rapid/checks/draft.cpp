@@ -6,11 +6,6 @@ namespace cobot_command::rapid {
 
 namespace {
 
-SymbolIndex foundIn(const NameMap& names, std::string_view folded) {
-  const auto found = names.find(folded);
-  return found == names.end() ? kNoSymbol : found->second;
-}
-
 constexpr std::uint32_t kCellsPerMebibyte = (1U << 20U) / sizeof(Cell);
 
 }  // namespace
@@ -33,12 +28,18 @@ bool Draft::takeData(std::uint32_t cells) {
   return data_cells <= kMostCells;
 }
 
-SymbolIndex Draft::findType(SymbolIndex module, std::string_view folded) const {
-  const auto names = type_names.modules.find(module);
-  const SymbolIndex own = names == type_names.modules.end() ? kNoSymbol : foundIn(names->second, folded);
-  if (own != kNoSymbol) return own;
-  const SymbolIndex global = foundIn(type_names.globals, folded);
-  return global != kNoSymbol ? global : foundIn(type_names.predefined, folded);
+Symbol FileDraft::symbolOf(SymbolKind kind, NodeIndex node, SymbolIndex owner) const {
+  Symbol symbol;
+  symbol.kind = kind;
+  symbol.file = file_;
+  symbol.node = node;
+  symbol.owner = owner;
+  if (isName(tree_[node].name)) symbol.name = source_.textOf(tree_[node].name);
+  return symbol;
+}
+
+SymbolIndex FileDraft::declare(const Symbol& symbol) {
+  return at(symbol.node).symbol = draft_.add(symbol);
 }
 
 void FileDraft::reportNear(const FindingKind& kind, TokenIndex token, const std::string& meant) {

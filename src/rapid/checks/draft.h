@@ -23,16 +23,9 @@ struct KnownTypes {
   TypeIndex confdata = kNoType;
 };
 
-/// The names of types, which have a space of their own: data may have the name of a predefined type.
-struct TypeNames {
-  NameMap predefined;
-  NameMap globals;
-  std::map<SymbolIndex, NameMap> modules;
-};
-
 struct Draft {
   ProgramParts parts;
-  TypeNames type_names;
+  NameSpace type_names;
   KnownTypes known;
   bool is_library = false;
   std::map<std::string, bool> skipped;  ///< names in small letters; true once one was passed over
@@ -53,7 +46,6 @@ struct Draft {
   [[nodiscard]] Cell* cells(ConstantIndex place) { return parts.constants.data() + place; }
   /// Counts the cells of data. False if the program would become too large.
   [[nodiscard]] bool takeData(std::uint32_t cells);
-  [[nodiscard]] SymbolIndex findType(SymbolIndex module, std::string_view folded) const;
 };
 
 /// A file of a draft: its tree, the meanings of its nodes, and its findings.
@@ -80,6 +72,11 @@ class FileDraft {
   /// The text of a token as it is shown in a finding.
   [[nodiscard]] std::string quotedAt(TokenIndex token) const { return quoted(source_.textOf(token)); }
   [[nodiscard]] std::string typeName(TypeIndex type) const { return quoted(draft_.types().nameOf(type)); }
+
+  /// What a node declares, with its name; that is empty if it could not be read.
+  [[nodiscard]] Symbol symbolOf(SymbolKind kind, NodeIndex node, SymbolIndex owner) const;
+  /// Adds the symbol; its node means it.
+  SymbolIndex declare(const Symbol& symbol);
 
   template <class... Values>
   void report(const FindingKind& kind, TokenIndex token, const Values&... values) {

@@ -66,7 +66,7 @@ const Names::Known& Names::known(NameIndex name) {
   if (known.module_number == module_number_) return known;
   const Draft& draft = file_.draft();
   const std::string_view folded = file_.source().names().folded(name);
-  known = {module_number_, draft.parts.find(module_, folded), draft.findType(module_, folded)};
+  known = {module_number_, draft.parts.names.find(module_, folded), draft.type_names.find(module_, folded)};
   return known;
 }
 
@@ -117,22 +117,14 @@ std::string Names::nearest(TokenIndex name, Meant meant) {
   for (const NameIndex local : routine_names_) {
     if (routine_[local] != kNoSymbol) add(routine_[local]);
   }
+  const NameSpace& space = meant == Meant::Type ? draft.type_names : draft.parts.names;
   const auto add_all = [&](const NameMap& map) {
     for (const auto& [folded, symbol] : map) add(symbol);
   };
-  const auto add_module = [&](const std::map<SymbolIndex, NameMap>& modules) {
-    const auto own = modules.find(module_);
-    if (own != modules.end()) add_all(own->second);
-  };
-  if (meant == Meant::Type) {
-    add_module(draft.type_names.modules);
-    add_all(draft.type_names.globals);
-    add_all(draft.type_names.predefined);
-  } else {
-    add_module(draft.parts.modules);
-    add_all(draft.parts.globals);
-    add_all(draft.parts.predefined);
-  }
+  const auto own = space.modules.find(module_);
+  if (own != space.modules.end()) add_all(own->second);
+  add_all(space.globals);
+  add_all(space.predefined);
   return nearestName(file_.source().textOf(name), names);
 }
 

@@ -47,7 +47,7 @@ void addRefusals(Draft& draft) {
     symbol.index = i;
     symbol.name = refusals()[i].name;
     const SymbolIndex added = draft.add(symbol);
-    draft.parts.predefined.emplace(folded_names[i], added);
+    draft.parts.names.predefined.emplace(folded_names[i], added);
     draft.type_names.predefined.emplace(folded_names[i], added);
   }
 }
@@ -65,14 +65,14 @@ void setFlags(Draft& draft, std::string_view folded_name, SymbolIndex index) {
 
 /// What the predefined modules declare belongs to no module of the program.
 void hideModules(Draft& draft) {
-  for (const auto& [name, index] : draft.parts.globals) {
+  for (const auto& [name, index] : draft.parts.names.globals) {
     if (draft.symbol(index).kind == SymbolKind::Module) continue;
     setFlags(draft, name, index);
-    draft.parts.predefined.emplace(name, index);
+    draft.parts.names.predefined.emplace(name, index);
   }
   draft.type_names.predefined.merge(draft.type_names.globals);
-  draft.parts.globals.clear();
-  draft.parts.modules.clear();
+  draft.parts.names.globals.clear();
+  draft.parts.names.modules.clear();
   draft.type_names.globals.clear();
   draft.type_names.modules.clear();
 }

@@ -2,14 +2,22 @@
 
 namespace cobot_command::rapid {
 
-namespace {
-
 SymbolIndex foundIn(const NameMap& names, std::string_view folded) {
   const auto found = names.find(folded);
   return found == names.end() ? kNoSymbol : found->second;
 }
 
-}  // namespace
+SymbolIndex NameSpace::inModule(SymbolIndex module, std::string_view folded) const {
+  const auto own = modules.find(module);
+  return own == modules.end() ? kNoSymbol : foundIn(own->second, folded);
+}
+
+SymbolIndex NameSpace::find(SymbolIndex module, std::string_view folded) const {
+  const SymbolIndex own = inModule(module, folded);
+  if (own != kNoSymbol) return own;
+  const SymbolIndex global = foundIn(globals, folded);
+  return global != kNoSymbol ? global : foundIn(predefined, folded);
+}
 
 std::vector<NodeIndex> Program::argumentsOf(FileIndex file, NodeIndex call) const {
   const Symbol& routine = symbol(at(file, call).symbol);
@@ -30,16 +38,6 @@ std::vector<NodeIndex> Program::argumentsOf(FileIndex file, NodeIndex call) cons
     }
   }
   return arguments;
-}
-
-SymbolIndex ProgramParts::find(SymbolIndex module, std::string_view folded) const {
-  const auto own = modules.find(module);
-  if (own != modules.end()) {
-    const SymbolIndex found = foundIn(own->second, folded);
-    if (found != kNoSymbol) return found;
-  }
-  const SymbolIndex global = foundIn(globals, folded);
-  return global != kNoSymbol ? global : foundIn(predefined, folded);
 }
 
 }  // namespace cobot_command::rapid

@@ -43,6 +43,22 @@ struct ProgramFile {
 /// that were chosen for it.
 using NameMap = std::map<std::string_view, SymbolIndex>;
 
+/// kNoSymbol if it is not there.
+[[nodiscard]] SymbolIndex foundIn(const NameMap& names, std::string_view folded);
+
+/// The names of a program. Those of types have a space of their own: data may have the name of a predefined
+/// type.
+struct NameSpace {
+  NameMap predefined;
+  NameMap globals;                         ///< of all modules
+  std::map<SymbolIndex, NameMap> modules;  ///< of each module: all that it declares
+
+  /// What a name means in a module: its own names hide global ones, these predefined ones.
+  [[nodiscard]] SymbolIndex find(SymbolIndex module, std::string_view folded) const;
+  /// What the module itself declares.
+  [[nodiscard]] SymbolIndex inModule(SymbolIndex module, std::string_view folded) const;
+};
+
 /// From what a Program is made.
 struct ProgramParts {
   std::vector<ProgramFile> files;
@@ -50,13 +66,8 @@ struct ProgramParts {
   std::vector<Symbol> symbols;
   std::vector<Cell> constants;
   std::shared_ptr<const std::vector<Signal>> signals;
-  NameMap predefined;                      ///< routines, data and signals, without types
-  NameMap globals;                         ///< of all modules, with those of the modules
-  std::map<SymbolIndex, NameMap> modules;  ///< of each module: the routines and data that it declares
+  NameSpace names;  ///< of routines, data, signals and modules, not of types
   SymbolIndex main = kNoSymbol;
-
-  /// See Program::find().
-  [[nodiscard]] SymbolIndex find(SymbolIndex module, std::string_view folded) const;
 };
 
 class Program {
@@ -90,7 +101,7 @@ class Program {
   /// What a name means in a module, outside of its routines: for names that are known only at run time.
   /// `folded`: in small letters. kNoSymbol if there is none.
   [[nodiscard]] SymbolIndex find(SymbolIndex module, std::string_view folded) const {
-    return parts_.find(module, folded);
+    return parts_.names.find(module, folded);
   }
 
  private:

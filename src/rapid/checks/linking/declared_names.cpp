@@ -51,14 +51,8 @@ class NameDeclarations {
       }
       return;
     }
-    Symbol symbol;
-    symbol.kind = SymbolKind::Module;
-    symbol.file = file.file();
-    symbol.node = node;
-    symbol.name = file.isName(file[node].name) ? file.source().textOf(file[node].name) : "";
-    LinkedModule linked{draft_.add(symbol), file.file(), node, false};
-    file.at(node).symbol = linked.symbol;
-    draft_.parts.modules[linked.symbol];
+    const SymbolIndex symbol = file.declare(file.symbolOf(SymbolKind::Module, node, kNoSymbol));
+    LinkedModule linked{symbol, file.file(), node, false};
     for (const NodeIndex child : file.tree().children(node)) {
       linked.is_system = linked.is_system || file[child].word == TokenKind::Sysmodule;
       if (isDeclaration(file[child].kind)) declaration(file, child, linked.symbol);
@@ -69,18 +63,12 @@ class NameDeclarations {
   void declaration(FileDraft& file, NodeIndex node, SymbolIndex module) {
     const Node& at = file[node];
     if (!file.isName(at.name)) return;
-    Symbol symbol;
-    symbol.kind = kindOf(at);
+    Symbol symbol = file.symbolOf(kindOf(at), node, module);
     symbol.word = at.kind == NodeKind::Data ? at.word : TokenKind::End;
     symbol.flags = static_cast<std::uint8_t>((at.has(Node::Local) ? Symbol::Local : 0) |
                                              (at.has(Node::Faulty) ? Symbol::Faulty : 0) |
                                              (symbol.word == TokenKind::Const ? Symbol::ReadOnly : 0));
-    symbol.file = file.file();
-    symbol.node = node;
-    symbol.owner = module;
-    symbol.name = file.source().textOf(at.name);
-    const SymbolIndex index = draft_.add(symbol);
-    file.at(node).symbol = index;
+    const SymbolIndex index = file.declare(symbol);
     const bool is_main = symbol.kind == SymbolKind::Procedure && file.foldedAt(at.name) == kMainName;
     if (is_main) return main(file, index, module);
     enter(file, index, module);
@@ -92,31 +80,18 @@ class NameDeclarations {
     const TokenIndex name = file[symbol.node].name;
     const std::string_view folded = file.foldedAt(name);
     const bool is_type = symbol.kind == SymbolKind::Type;
-    NameMap& own = is_type ? draft_.type_names.modules[module] : draft_.parts.modules[module];
-    SymbolIndex first = own.emplace(folded, index).first->second;
-    if (first == index) first = inOtherMap(is_type, module, folded);
+    NameSpace& space = is_type ? draft_.type_names : draft_.parts.names;
+    // A type and a routine of one module, or of the program, must not have one name.
+    const NameSpace& other = is_type ? draft_.parts.names : draft_.type_names;
+    SymbolIndex first = space.modules[module].emplace(folded, index).first->second;
+    if (first == index) first = other.inModule(module, folded);
     const bool is_global = !symbol.has(Symbol::Local);
-    if (is_global && (first == index || first == kNoSymbol)) first = enterGlobal(is_type, folded, index);
+    if (is_global && (first == index || first == kNoSymbol)) {
+      first = space.globals.emplace(folded, index).first->second;
+      if (first == index) first = foundIn(other.globals, folded);
+    }
     if (first == index || first == kNoSymbol) return;
     file.report(kinds::kDeclaredAlready, name, file.quotedAt(name), placeOf(first, file.file()));
-  }
-
-  /// A type and a routine of one module, or of the program, must not have one name.
-  [[nodiscard]] SymbolIndex inOtherMap(bool is_type, SymbolIndex module, std::string_view folded) const {
-    const auto& maps = is_type ? draft_.parts.modules : draft_.type_names.modules;
-    const auto map = maps.find(module);
-    if (map == maps.end()) return kNoSymbol;
-    const auto found = map->second.find(folded);
-    return found == map->second.end() ? kNoSymbol : found->second;
-  }
-
-  [[nodiscard]] SymbolIndex enterGlobal(bool is_type, std::string_view folded, SymbolIndex index) {
-    NameMap& names = is_type ? draft_.type_names.globals : draft_.parts.globals;
-    const NameMap& others = is_type ? draft_.parts.globals : draft_.type_names.globals;
-    const SymbolIndex first = names.emplace(folded, index).first->second;
-    if (first != index) return first;
-    const auto other = others.find(folded);
-    return other == others.end() ? index : other->second;
   }
 
   void main(FileDraft& file, SymbolIndex index, SymbolIndex module) {
@@ -135,7 +110,7 @@ class NameDeclarations {
     const TokenIndex name = file[module.node].name;
     if (!file.isName(name)) return;
     const std::string_view folded = file.foldedAt(name);
-    const bool is_new = draft_.parts.globals.emplace(folded, module.symbol).second;
+    const bool is_new = draft_.parts.names.globals.emplace(folded, module.symbol).second;
     if (!is_new || draft_.type_names.globals.count(folded) > 0) {
       file.report(kinds::kModuleName, name, file.quotedAt(name));
     }

@@ -36,18 +36,13 @@ class RoutineDeclaration {
 
   void parameter(NodeIndex node) {
     const Node& at = file_[node];
-    Symbol symbol;
-    symbol.kind = SymbolKind::Parameter;
+    Symbol symbol = file_.symbolOf(SymbolKind::Parameter, node, routine_);
     symbol.flags = static_cast<std::uint8_t>((at.has(Node::Optional) ? Symbol::Optional : 0) |
                                              (at.has(Node::Excludes) ? Symbol::Excludes : 0));
     symbol.word = at.word;
-    symbol.file = file_.file();
-    symbol.node = node;
-    symbol.owner = routine_;
     symbol.index = draft_.symbol(routine_).parameters++;
-    symbol.name = file_.isName(at.name) ? file_.source().textOf(at.name) : "";
     symbol.type = withDimensions(typeOfParameter(file_, names_, node), node);
-    file_.at(node).symbol = draft_.add(symbol);
+    static_cast<void>(file_.declare(symbol));
   }
 
   TypeIndex withDimensions(TypeIndex element, NodeIndex parameter) {

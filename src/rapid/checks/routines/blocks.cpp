@@ -46,17 +46,10 @@ void RoutineCheck::forInstruction(NodeIndex node) {
   const NodeIndex body = file_.tree().childOf(node, NodeKind::List);
   const TokenIndex name = file_[node].name;
   if (file_.isName(name)) {
-    Symbol counter;
-    counter.kind = SymbolKind::Counter;
+    Symbol counter = file_.symbolOf(SymbolKind::Counter, node, routine_);
     counter.flags = Symbol::ReadOnly;
-    counter.file = file_.file();
-    counter.node = node;
     counter.type = kNum;
-    counter.owner = routine_;
-    counter.name = file_.source().textOf(name);
-    const SymbolIndex symbol = draft_.add(counter);
-    file_.at(node).symbol = symbol;
-    const SymbolIndex hidden = names_.set(file_.nameAt(name), symbol);
+    const SymbolIndex hidden = names_.set(file_.nameAt(name), file_.declare(counter));
     if (body != kNoNode) list(body);
     names_.set(file_.nameAt(name), hidden);
   } else if (body != kNoNode) {

@@ -45,18 +45,11 @@ void RoutineScope::data(NodeIndex node) {
     file_.report(kinds::kPersInRoutine, at.has(Node::Task) ? at.first + 1 : at.first);
   }
   if (!file_.isName(at.name)) return;
-  Symbol symbol;
-  symbol.kind = SymbolKind::Data;
+  Symbol symbol = file_.symbolOf(SymbolKind::Data, node, routine_);
   symbol.word = at.word;
   symbol.flags = static_cast<std::uint8_t>((at.word == TokenKind::Const ? Symbol::ReadOnly : 0) |
                                            (at.has(Node::Faulty) ? Symbol::Faulty : 0));
-  symbol.file = file_.file();
-  symbol.node = node;
-  symbol.owner = routine_;
-  symbol.name = file_.source().textOf(at.name);
-  const SymbolIndex index = draft_.add(symbol);
-  file_.at(node).symbol = index;
-  declare(node, index);
+  declare(node, file_.declare(symbol));
 }
 
 /// A parameter or data. A name that is there already keeps its first meaning.
@@ -71,10 +64,9 @@ void RoutineScope::declare(NodeIndex node, SymbolIndex symbol) {
     return file_.report(kinds::kDeclaredAlready, name, file_.quotedAt(name),
                         fmt::format("{}:{}", place.line, place.column));
   }
-  const auto hidden = draft_.parts.predefined.find(file_.foldedAt(name));
-  const bool hides =
-      hidden != draft_.parts.predefined.end() &&
-      (draft_.dialect == Dialect::Irc5 || !draft_.symbol(hidden->second).has(Symbol::Irc5Only));
+  const SymbolIndex hidden = foundIn(draft_.parts.names.predefined, file_.foldedAt(name));
+  const bool hides = hidden != kNoSymbol &&
+                     (draft_.dialect == Dialect::Irc5 || !draft_.symbol(hidden).has(Symbol::Irc5Only));
   if (hides) file_.report(kinds::kHidesPredefined, name, file_.quotedAt(name));
   names_.set(index, symbol);
 }
@@ -86,15 +78,7 @@ void RoutineScope::label(NodeIndex node, NodeIndex block) {
   if (names_.inRoutine(index) != kNoSymbol || labels_.count(index) > 0) {
     return file_.report(kinds::kLabelTwice, name, file_.quotedAt(name));
   }
-  Symbol symbol;
-  symbol.kind = SymbolKind::Label;
-  symbol.file = file_.file();
-  symbol.node = node;
-  symbol.owner = routine_;
-  symbol.name = file_.source().textOf(name);
-  const SymbolIndex added = draft_.add(symbol);
-  file_.at(node).symbol = added;
-  labels_[index] = {added, block};
+  labels_[index] = {file_.declare(file_.symbolOf(SymbolKind::Label, node, routine_)), block};
 }
 
 void RoutineScope::bindGoto(NodeIndex node, const std::vector<NodeIndex>& blocks) {
