@@ -10,9 +10,9 @@
 #include "reporting.h"
 #include <fmt/format.h>
 
+#include "cobot_command/common/utf8.h"
 #include "cobot_command/files/yaml_map.h"
 #include "cobot_command/rapid/source/dialect.h"
-#include "cobot_command/rapid/types/cells.h"
 #include "cobot_command/rapid/types/predefined.h"
 
 namespace cobot_command::rapid {
@@ -88,7 +88,7 @@ class SignalReader {
                          source.tokens().front().kind == TokenKind::Name;
     const std::string shown = quoted(name);
     if (!is_name) refuseNode(key, fmt::format("'{}' is no name of RAPID", shown));
-    if (latin1(name).value_or(name).size() > lettersAllowedBy(Dialect::Irc5)) {
+    if (countCharacters(name) > lettersAllowedBy(Dialect::Irc5)) {
       refuseNode(key, fmt::format("'{}' has more than {} letters", shown, lettersAllowedBy(Dialect::Irc5)));
     }
     const std::string small = folded(name);

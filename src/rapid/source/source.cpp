@@ -5,10 +5,11 @@
 
 #include "lexer/decoding.h"
 #include "lexer/lexer.h"
-#include "lexer/text_scan.h"
 #include "parser/cursor.h"
 #include "parser/file_parser.h"
 #include "reporting.h"
+
+#include "cobot_command/common/utf8.h"
 
 namespace cobot_command::rapid {
 
@@ -72,8 +73,7 @@ Span Source::spanOf(NodeIndex node) const {
 Place Source::placeOf(std::uint32_t offset) const {
   const std::uint32_t line = lineAt(line_starts_, offset);
   const std::string_view before = text().substr(line_starts_[line], offset - line_starts_[line]);
-  const auto characters = std::count_if(before.begin(), before.end(), isFirstByte);
-  return {static_cast<int>(line) + 1, static_cast<int>(characters) + 1};
+  return {static_cast<int>(line) + 1, static_cast<int>(countCharacters(before)) + 1};
 }
 
 std::string_view Source::lineAround(std::uint32_t offset) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cobot_command/common/foreign_text.h"
+#include "cobot_command/common/utf8.h"
 
 namespace cobot_command::tools {
 
@@ -12,18 +13,10 @@ namespace {
 constexpr std::size_t kShownBefore = 60;
 constexpr std::size_t kShownAfter = 60;
 
-bool isFirstByte(char byte) {
-  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-}
-
 /// The start of a character, at `at` or before it.
 std::size_t atCharacter(std::string_view text, std::size_t at) {
-  while (at > 0 && at < text.size() && !isFirstByte(text[at])) --at;
+  while (at > 0 && at < text.size() && !beginsCharacter(text[at])) --at;
   return std::min(at, text.size());
-}
-
-std::size_t width(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), isFirstByte));
 }
 
 }  // namespace
@@ -37,7 +30,7 @@ std::vector<std::string> findingLines(const rapid::Source& source, const rapid::
   const std::size_t end = std::max(place, atCharacter(line, place + kShownAfter));
   const std::string before = (first > 0 ? "..." : "") + escaped(line.substr(first, place - first));
   const std::string after = escaped(line.substr(place, end - place)) + (end < line.size() ? "..." : "");
-  return {describe(source, finding, file), before + after, std::string(width(before), ' ') + '^'};
+  return {describe(source, finding, file), before + after, std::string(countCharacters(before), ' ') + '^'};
 }
 
 }  // namespace cobot_command::tools

@@ -126,8 +126,9 @@ void CallCheck::option(NodeIndex argument, Progress& progress) {
   }
   file_.at(argument).symbol = found;
   const bool is_refused = routine_.file < kPredefinedFiles && draft_.symbol(found).name == kRefusedOption;
-  if (is_refused)
+  if (is_refused) {
     return reportRefused(file_, name, draft_.symbol(draft_.parts.names.predefined.at(kRefusedWith)));
+  }
   checkOrder(name, found, progress);
   optionValue(argument, draft_.symbol(found));
 }

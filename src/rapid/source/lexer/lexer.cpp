@@ -8,6 +8,7 @@
 #include "lexer/text_scan.h"
 #include "reporting.h"
 
+#include "cobot_command/common/utf8.h"
 #include "cobot_command/rapid/source/limits.h"
 #include "cobot_command/rapid/source/literals.h"
 
@@ -37,10 +38,6 @@ constexpr std::array<TokenKind, 256> kSigns = [] {
   set('}', TokenKind::RightBrace);
   return signs;
 }();
-
-std::size_t countCharacters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), isFirstByte));
-}
 
 class Lexer {
  public:
@@ -181,7 +178,7 @@ class Lexer {
   /// Adjacent ones are one finding: one for each character of a word in Greek would hide all others.
   void unknown() {
     std::size_t end = at_ + 1;
-    while (end < text_.size() && !isFirstByte(text_[end])) ++end;
+    while (end < text_.size() && !beginsCharacter(text_[end])) ++end;
     std::vector<Token>& tokens = lexed_.tokens;
     if (!tokens.empty() && tokens.back().kind == TokenKind::Unknown && tokens.back().end == at_) {
       tokens.back().end = static_cast<std::uint32_t>(end);

@@ -1,7 +1,6 @@
 #include "lexer/text_scan.h"
 
-#include <algorithm>
-
+#include "cobot_command/common/utf8.h"
 #include "cobot_command/rapid/source/limits.h"
 
 namespace cobot_command::rapid {
@@ -20,7 +19,7 @@ Span badCode(std::string_view text, std::size_t at) {
   for (int characters = 0; characters < 2 && end < text.size(); ++characters) {
     if (std::string_view("\"\r\n").find(text[end]) != std::string_view::npos) break;
     ++end;
-    while (end < text.size() && !isFirstByte(text[end])) ++end;
+    while (end < text.size() && !beginsCharacter(text[end])) ++end;
   }
   return {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(end)};
 }
@@ -48,7 +47,7 @@ TextScan scanText(std::string_view text) {
       if (c == '\\' && scan.bad_codes.size() <= kMostFindings) scan.bad_codes.push_back(badCode(text, at));
       ++at;
     }
-    if (isFirstByte(c)) ++scan.characters;
+    if (beginsCharacter(c)) ++scan.characters;
   }
   scan.size = at;
   if (!scan.is_closed) scan.size = text.substr(0, at).find_last_not_of(" \t\f") + 1;

@@ -8,11 +8,6 @@
 
 namespace cobot_command::rapid {
 
-/// Of UTF-8: not a byte that continues a character.
-[[nodiscard]] constexpr bool isFirstByte(char byte) {
-  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-}
-
 struct TextScan {
   std::size_t size = 0;         ///< with its quotes [bytes]
   std::size_t characters = 0;   ///< of its value
