@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "dialect_setting.h"
 #include "exit_status.h"
 #include "finding_text.h"
 #include "source_file.h"
@@ -111,14 +112,11 @@ class Report {
 }  // namespace
 
 SettingTable checkTable(CheckCommand& command) {
-  using rapid::Dialect;
   const auto show = [](const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names, ","));
   };
   return {
-      {"dialect",
-       setting_kinds::choice<Dialect>(command.dialect, {{"irc5", Dialect::Irc5}, {"s4c", Dialect::S4c}}),
-       "Dialect of RAPID"},
+      dialectSetting(command.dialect),
       {"signals", setting_kinds::text(command.signals), "Signal file, in YAML"},
       {"library", setting_kinds::flag(command.is_library), "The modules need no main()"},
       {"strict", setting_kinds::flag(command.is_strict), "Exit with 1 also if there are only warnings"},

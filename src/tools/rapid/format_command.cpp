@@ -4,6 +4,7 @@
 #include <iostream>
 #include <utility>
 
+#include "dialect_setting.h"
 #include "exit_status.h"
 #include "finding_text.h"
 #include "source_file.h"
@@ -17,8 +18,6 @@
 namespace cobot_command::tools {
 
 namespace {
-
-using rapid::Dialect;
 
 void printErrors(const rapid::Source& source, const std::string& file) {
   for (const rapid::Finding& finding : source.findings()) {
@@ -53,9 +52,7 @@ int write(const std::string& file, const std::string& bytes) {
 
 SettingTable formatTable(FormatOptions& options) {
   return {
-      {"dialect",
-       setting_kinds::choice<Dialect>(options.dialect, {{"irc5", Dialect::Irc5}, {"s4c", Dialect::S4c}}),
-       "Dialect of RAPID"},
+      dialectSetting(options.dialect),
       {"write", setting_kinds::flag(options.is_written),
        "Replace the file instead of printing its canonical form"},
       {"check", setting_kinds::flag(options.is_checked),
