@@ -21,13 +21,16 @@ namespace {
 using ::testing::ElementsAreArray;
 using ::testing::IsEmpty;
 
-std::string pathOf(const std::string& name) {
-  return test_support::inSourceTree("test/data/rapid/" + name);
+const std::string kFixtures = "test/data/rapid/";
+
+/// `path`: from the root of the sources.
+std::string bytesOf(const std::string& path) {
+  std::ifstream file(test_support::inSourceTree(path), std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 std::string contentOf(const std::string& name) {
-  std::ifstream file(pathOf(name), std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  return bytesOf(kFixtures + name);
 }
 
 nlohmann::json fixture(const std::string& name) {
@@ -58,7 +61,7 @@ std::vector<std::string> diagnosticsOf(const Source& source) {
 /// Files of the fixtures that end so, in the order of their names.
 std::vector<std::string> modules() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(pathOf(""))) {
+  for (const auto& entry : std::filesystem::directory_iterator(test_support::inSourceTree(kFixtures))) {
     if (entry.path().extension() == ".mod") names.push_back(entry.path().filename());
   }
   std::sort(names.begin(), names.end());
@@ -116,7 +119,7 @@ TEST(RapidFixtureModules, areTheSameAfterFormattingTwice) {
 }
 
 TEST(RapidFixtureModules, includeACatalogueThatCanBeRead) {
-  const Source source = readSource(contentOf("catalogue.rapid"), {Dialect::Irc5, false});
+  const Source source = readSource(bytesOf("src/rapid/types/catalogue.rapid"), {Dialect::Irc5, false});
   EXPECT_THAT(source.findings(), IsEmpty());
 }
 

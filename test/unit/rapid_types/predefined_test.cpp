@@ -18,8 +18,8 @@ TEST(RapidPredefined, isReadWithoutFindings) {
   EXPECT_THAT(catalogue().findings(), IsEmpty());
 }
 
-TEST(RapidPredefined, hasTheCatalogueOfTheFixtures) {
-  std::ifstream file(test_support::inSourceTree("test/data/rapid/catalogue.rapid"));
+TEST(RapidPredefined, hasTheCatalogueByteForByte) {
+  std::ifstream file(test_support::inSourceTree("src/rapid/types/catalogue.rapid"));
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   EXPECT_EQ(catalogue().text(), text);
 }
