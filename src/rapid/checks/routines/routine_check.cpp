@@ -1,8 +1,10 @@
 #include "routines/routine_check.h"
 
 #include <cmath>
+#include <utility>
 
 #include "type_reference.h"
+
 namespace cobot_command::rapid {
 
 namespace {

@@ -30,9 +30,12 @@ MODULE RecoveryMachine
 
   PROC note(errnum number)
     VAR num at:=0;
-    FOR i FROM 1 TO used DO
-      IF entries{i}.number=number at:=i;
-    ENDFOR
+    ! FROM 1 TO 0 counts down
+    IF used>0 THEN
+      FOR i FROM 1 TO used DO
+        IF entries{i}.number=number at:=i;
+      ENDFOR
+    ENDIF
     IF at=0 THEN
       IF used=size RETURN;
       Incr used;
